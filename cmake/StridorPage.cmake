@@ -20,7 +20,7 @@ function(stridor_page file)
     if(NOT STRIDOR_PAGE)
         file(WRITE "${bundle}/index.html"
             "<!doctype html><title>stridor</title><p>This stridor was built without its page "
-            "(Node.js was missing, or STRIDOR_PAGE off).\n")
+            "(Node.js was missing, or STRIDOR_PAGE off). Install nodejs and npm, and build or install it once more.\n")
         foreach(name page.js chunk.js later.js page.css)
             file(WRITE "${bundle}/${name}" "\n")
         endforeach()

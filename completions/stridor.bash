@@ -6,12 +6,12 @@ _stridor() {
         return
     fi
     if [[ $previous == --set ]]; then
-        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= structure.mass= structure.stiffness= structure.damping_ratio= structure.damping= structure.coupling= structure.frequency= structure.impedance= structure.length= structure.bridge_resistance= structure.position= structure.mass_per_length= structure.bending_stiffness= structure.axial_stiffness= structure.incidence_angle= contact.preload= contact.friction= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.impact= contact.restitution= temperature.value= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.force= drive.ramp= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.formulation= run.massless_above= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= structure.mass= structure.stiffness= structure.damping_ratio= structure.damping= structure.coupling= structure.frequency= structure.impedance= structure.length= structure.bridge_resistance= structure.position= structure.mass_per_length= structure.bending_stiffness= structure.axial_stiffness= structure.incidence_angle= contact.preload= contact.friction= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.impact= contact.restitution= temperature.value= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.force= drive.ramp= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.formulation= run.massless_above= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.squeal_repetition= verdict.squeal_frequency= verdict.least_intervals= verdict.lock_force= verdict.least_distance=" -- "$word"))
         compopt -o nospace
         return
     fi
     if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then
-        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= structure.mass= structure.stiffness= structure.damping_ratio= structure.damping= structure.coupling= structure.frequency= structure.impedance= structure.length= structure.bridge_resistance= structure.position= structure.mass_per_length= structure.bending_stiffness= structure.axial_stiffness= structure.incidence_angle= contact.preload= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.restitution= temperature.value= drive.amplitude= drive.frequency= drive.velocity= drive.force= drive.ramp= run.duration= run.window= run.perturbation= run.step= run.massless_above= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= structure.mass= structure.stiffness= structure.damping_ratio= structure.damping= structure.coupling= structure.frequency= structure.impedance= structure.length= structure.bridge_resistance= structure.position= structure.mass_per_length= structure.bending_stiffness= structure.axial_stiffness= structure.incidence_angle= contact.preload= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.restitution= temperature.value= drive.amplitude= drive.frequency= drive.velocity= drive.force= drive.ramp= run.duration= run.window= run.perturbation= run.step= run.massless_above= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.squeal_repetition= verdict.squeal_frequency= verdict.least_intervals= verdict.lock_force= verdict.least_distance=" -- "$word"))
         compopt -o nospace
         return
     fi
@@ -22,19 +22,19 @@ _stridor() {
     case ${COMP_WORDS[1]} in
         init) options="--help --output --force" ;;
         check) options="--help --set --json" ;;
-        simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
-        stability) options="--help --set --over --figure --modes --json" ;;
-        advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
-        chart) options="--help --set --no-early --x --y --out --files --figures --threads --preview --json --shard --slurm --time" ;;
+        simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom --title --width" ;;
+        stability) options="--help --set --over --figure --title --width --csv --modes --json" ;;
+        advise) options="--help --set --over --tolerance --samples --seed --direction --start --threads --json" ;;
+        chart) options="--help --set --no-early --x --y --out --files --figures --threads --preview --json --shard --slurm --title --width --time" ;;
         merge) options="--help" ;;
-        chart-status) options="--help --json" ;;
-        report) options="--help --set --no-early --output --x --y --points --no-chart --no-advice --threads" ;;
+        chart-status) options="--help --json --lacking" ;;
+        report) options="--help --set --no-early --output --x --y --points --author --part --longest --no-chart --no-advice --direction --start --threads" ;;
         figure) options="--help" ;;
         listen) options="--help --set --cell --direction --judged --output --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
         rig) options="--help" ;;
         convert) options="--help --full-scale --channel --dataset --rate --format --bits --json" ;;
         library) options="--help" ;;
-        analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --field --figure --json" ;;
+        analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --field --figure --title --width --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
         evaluate) options="--help --planes --set --of --perturb-every --recordings --labels --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
@@ -50,12 +50,12 @@ _stridor() {
             return
         fi
         case ${COMP_WORDS[2]} in
-            paper) options="--help --out --threads" ;;
-            friction-law) options="--help --set --output" ;;
-            contact-states) options="--help --set --output" ;;
-            mode-shapes) options="--help --set --output" ;;
-            modal-spectrum) options="--help --set --output --of --component" ;;
-            compare) options="--help --label --library --of --quantity --detail --output" ;;
+            paper) options="--help --out --threads --title --width" ;;
+            friction-law) options="--help --set --output --title --width" ;;
+            contact-states) options="--help --set --output --title --width" ;;
+            mode-shapes) options="--help --set --output --title --width --mesh" ;;
+            modal-spectrum) options="--help --set --output --title --width --of --component" ;;
+            compare) options="--help --label --library --of --quantity --detail --output --title --width" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == rig ]]; then
@@ -65,7 +65,7 @@ _stridor() {
         fi
         case ${COMP_WORDS[2]} in
             friction) options="--help --preload --channel --velocity-channel --normal-channel --velocity --full-scale --least-drop --longest-drop --into --json" ;;
-            sensitivity) options="--help --over --where --search --bins --by --records --figure --json --library" ;;
+            sensitivity) options="--help --over --where --search --bins --by --records --figure --title --width --json --library" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == library ]]; then

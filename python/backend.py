@@ -1,12 +1,15 @@
-"""The build backend of `pip install .` (PEP 517 and 660): CMake builds the module, this makes a wheel of it.
+"""The build backend of `pip install .` (PEP 517 and 660): CMake builds the module and the programs, this makes a wheel.
 
-It needs nothing but Python, CMake and a compiler, and fetches nothing. Config settings, as in
-`pip install --config-settings=build-folder=DIR .`:
+It needs nothing but Python, CMake and a compiler. `stridor` has the page of its explorer where Node.js and npm are
+found, which fetches what the page is bundled with; nothing else is fetched. `stridor-mpi` comes along where MPI is.
+Config settings, as in `pip install --config-settings=build-folder=DIR .`:
 
 build-folder
     Where CMake builds; `build-pip` of the checkout. It is kept, so that the next time takes seconds.
 built
     A build folder that has the module already: it is taken from there, and nothing is built.
+page
+    `off`: the explorer has no page, and nothing is fetched.
 
 STRIDOR_JOBS limits how many compilers run at a time.
 """
@@ -99,13 +102,26 @@ def run(*command):
         sys.exit(f"{command[0]} failed with exit status {error.returncode}; what it says stands above.")
 
 
-def configure(folder):
+def has_page(settings):
+    """Whether the explorer's page can be made: what bundles it is there, or can be fetched."""
+    if settings.get("page") == "off" or not (shutil.which("node") and shutil.which("npm")):
+        return False
+    folder = ROOT / "explorer"
+    if (folder / "node_modules" / ".package-lock.json").exists():
+        return True
+    fetch = ["npm", "ci", "--no-audit", "--no-fund", "--loglevel=error", "--fetch-retries=1"]
+    if subprocess.run(fetch, cwd=folder, check=False).returncode == 0:
+        return True
+    print("npm cannot fetch what the explorer's page is bundled with: the explorer has no page.", file=sys.stderr)
+    return False
+
+
+def configure(folder, settings):
     """Lets CMake make the folder for this interpreter; one that was made for another is made anew."""
     options = [
         "-DCMAKE_BUILD_TYPE=Release",
         "-DSTRIDOR_TESTS=OFF",
-        "-DSTRIDOR_MPI=OFF",
-        "-DSTRIDOR_PAGE=OFF",
+        f"-DSTRIDOR_PAGE={'ON' if has_page(settings) else 'OFF'}",
         "-DSTRIDOR_PYTHON=ON",
         f"-DPython_EXECUTABLE={sys.executable}",
     ]
@@ -124,9 +140,9 @@ def built(settings):
     if "built" in settings:
         return Path(settings["built"]).resolve()
     folder = Path(settings.get("build-folder", ROOT / "build-pip")).resolve()
-    configure(folder)
+    configure(folder, settings)
     jobs = os.environ.get("STRIDOR_JOBS") or str(os.cpu_count() or 2)
-    run("cmake", "--build", folder, "--target", "stridor_python", "-j", jobs)
+    run("cmake", "--build", folder, "--target", "stridor_wheel", "-j", jobs)
     return folder
 
 
@@ -140,6 +156,13 @@ def package_of(folder, scratch):
     if not (package / f"_stridor{sysconfig.get_config_var('EXT_SUFFIX')}").exists():
         sys.exit(f"The module in {folder} is not for {sys.executable}.")
     return {f"stridor/{file.relative_to(package)}": file.read_bytes() for file in package.rglob("*") if file.is_file()}
+
+
+def programs_of(folder, scratch):
+    """The programs that were built, for the folder of commands: bytes by name."""
+    run("cmake", "--install", folder, "--component", "wheel", "--strip", "--prefix", scratch)
+    scripts = f"stridor-{project()[0]}.data/scripts"
+    return {f"{scripts}/{file.name}": file.read_bytes() for file in Path(scratch).glob("bin/*")}
 
 
 def write_wheel(file, files):
@@ -161,7 +184,7 @@ def write_wheel(file, files):
         for name, content in files.items():
             entry = zipfile.ZipInfo(name, FIRST_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o100755 if name.endswith(".so") else 0o100644) << 16
+            entry.external_attr = (0o100755 if name.endswith(".so") or ".data/scripts/" in name else 0o100644) << 16
             archive.writestr(entry, content)
 
 
@@ -180,7 +203,8 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as scratch:
-        files = package_of(built(config_settings), scratch)
+        folder = built(config_settings)
+        files = {**package_of(folder, Path(scratch) / "package"), **programs_of(folder, Path(scratch) / "programs")}
     write_wheel(Path(wheel_directory) / wheel_name(), files)
     return wheel_name()
 

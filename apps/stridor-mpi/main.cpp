@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "mpi_post.hpp"
 #include "program.hpp"
 #include "ranks.hpp"
@@ -43,6 +44,8 @@ void leave_it_to_rank_0() {
 int main(int argc, char** argv) {
     using namespace stridor;
     app::begin_process();
+    // a batch system may send one while MPI begins, which takes seconds on many machines
+    app::note_signals();
     app::MpiPost post(argc, argv);
     if (post.rank() != 0) leave_it_to_rank_0();
     app::Ranks ranks(post);

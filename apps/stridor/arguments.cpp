@@ -1,11 +1,17 @@
 #include "arguments.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/storage/temporary.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <string_view>
+#include <utility>
 
 namespace stridor::app {
 
@@ -16,7 +22,29 @@ std::string path_of(const CLI::App& command) {
     return (parent == nullptr ? "" : path_of(*parent) + " ") + command.get_name();
 }
 
+// what other programs and people call it
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> other_words{{
+    {"run", "simulate"},
+    {"sim", "simulate"},
+    {"solve", "simulate"},
+    {"plot", "figure"},
+    {"draw", "figure"},
+    {"sweep", "chart"},
+    {"map", "chart"},
+    {"new", "init"},
+    {"create", "init"},
+    {"play", "listen"},
+    {"gui", "explore"},
+    {"optimize", "advise"},
+    {"seal", "weatherstrip"},
+    {"door", "weatherstrip"},
+    {"window", "glass-run"},
+    {"brake", "brake-pad"},
+}};
+
 std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+    for (const auto& [other, ours] : other_words)
+        if (word == other && std::find(names.begin(), names.end(), ours) != names.end()) return std::string(ours);
     const std::vector<std::string_view> views(names.begin(), names.end());
     return std::string(base::nearest_name(word, views));
 }
@@ -38,15 +66,35 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
+// `--set a b` for `--set a=b`
+std::string assignment_meant(const CLI::App& command, const std::string& value) {
+    const CLI::Option* set = command.get_option_no_throw("--set");
+    if (set == nullptr) return "";
+    for (const std::string& key : set->results())
+        if (key.find('=') == std::string::npos) return "Write --set " + key + "=" + value + ".";
+    return "";
+}
+
 base::Problem unexpected(const CLI::App& command, const std::vector<std::string>& extras) {
     const auto option = std::find_if(extras.begin(), extras.end(),
                                      [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
     const std::string see = "See `" + path_of(command) + " --help`.";
-    if (option == extras.end()) return {"`" + path_of(command) + "` takes no \"" + extras.front() + "\"", "", see};
+    const std::string meant = assignment_meant(command, extras.front());
+    if (!meant.empty() || option == extras.end())
+        return {"`" + path_of(command) + "` takes no \"" + extras.front() + "\"", "", meant.empty() ? see : meant};
     const std::string word = option->substr(0, option->find('='));
     const std::string near = nearest(word, option_names(command));
     return {"`" + path_of(command) + "` has no option " + word, "",
             near.empty() ? see : "Did you mean " + near + "? " + see};
+}
+
+// a file where a command stands
+std::string command_of_file(const std::string& word) {
+    const std::string ending = std::filesystem::path(word).extension().string();
+    if (ending == ".toml") return "simulate";
+    for (const std::string_view recording : {".wav", ".flac", ".ogg", ".mp3", ".uff", ".csv", ".mat", ".mf4", ".tdms"})
+        if (ending == recording) return "classify";
+    return "";
 }
 
 }  // namespace
@@ -67,7 +115,8 @@ void check_commands(const CLI::App& program, const std::vector<std::string>& arg
             names.push_back(each->get_name());
         if (names.empty() || word.starts_with('-')) return;
         if (std::find(names.begin(), names.end(), word) == names.end()) {
-            const std::string near = nearest(word, names);
+            const std::string of_file = command_of_file(word);
+            const std::string near = of_file.empty() ? nearest(word, names) : "`stridor " + of_file + " " + word + "`";
             const std::string see = "`" + path_of(*command) + " --help` lists the commands.";
             throw Error(ErrorKind::input, {"there is no command `" + path_of(*command) + " " + word + "`", "",
                                            near.empty() ? see : "Did you mean " + near + "? " + see});
@@ -111,9 +160,37 @@ CLI::Option* add_json_option(CLI::App& command, bool& is_json, const std::string
     return command.add_flag("--json", is_json, what + " (schema " + schema + ")");
 }
 
+CLI::Validator in_a_folder() {
+    const auto has_folder = [](const std::string& name) -> std::string {
+        storage::expect_folder_of(name);
+        return "";
+    };
+    return {has_folder, ""};
+}
+
+void add_sheet_options(CLI::App& command, pictures::Sheet& sheet, CLI::Option* figure) {
+    const auto set_title = [&sheet](const std::string& text) { sheet.title = text == "none" ? "" : text; };
+    const auto set_width = [&sheet](const std::string& text) {
+        constexpr double least = 40.0, most = 500.0;  // [mm]
+        sheet.width = 1e3 * base::parse_quantity(text, "m");
+        if (!(*sheet.width >= least && *sheet.width <= most))
+            throw Error(ErrorKind::input, {"--width " + text + " is no width of a picture",
+                                           "it lies outside of 40 mm to 500 mm", "For example \"85 mm\"."});
+    };
+    CLI::Option* title = command.add_option_function<std::string>(
+        "--title", set_title, "another title for the picture; none: it gets none, as journals want it");
+    CLI::Option* width = command.add_option_function<std::string>(
+        "--width", set_width, "width of the picture, \"85 mm\" for a column; letters stay 8 pt");
+    title->type_name("TEXT");
+    width->type_name("LENGTH");
+    if (figure == nullptr) return;
+    title->needs(figure);
+    width->needs(figure);
+}
+
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {
-    command.add_option("--out", file)->group("");
-    return command.add_option("-o,--output", file, sentence)->type_name("FILE");
+    command.add_option("--out", file)->group("")->check(in_a_folder());
+    return command.add_option("-o,--output", file, sentence)->type_name("FILE")->check(in_a_folder());
 }
 
 CLI::Option* add_output_folder(CLI::App& command, std::string& folder, const std::string& sentence) {

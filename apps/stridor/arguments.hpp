@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+namespace stridor::pictures {
+struct Sheet;
+}
+
 /// What a user types, before and after CLI11 has looked at it.
 namespace stridor::app {
 
@@ -26,6 +30,14 @@ void add_threads_option(CLI::App& command, int& threads);
 /// Adds --json, whose document has this schema.
 CLI::Option* add_json_option(CLI::App& command, bool& is_json, const std::string& schema,
                              const std::string& what = "print one JSON document");
+
+/// Accepts a file to write, if its folder is there: that is told before what may take long is computed. Throws `Error`
+/// (io) where it is not.
+CLI::Validator in_a_folder();
+
+/// Adds --title and --width of the sheet that a command draws on; where `figure` is the option that asks for the
+/// picture, they need it.
+void add_sheet_options(CLI::App& command, pictures::Sheet& sheet, CLI::Option* figure = nullptr);
 
 /// Adds -o and --output for the file that a command writes; --out is understood, too.
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence);

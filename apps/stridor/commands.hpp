@@ -57,6 +57,15 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 /// Adds `--no-early`, short for --set run.early_ending=never.
 void add_no_early_option(CLI::App& command, CaseOptions& options);
 
+/// By which motions a command judges a design; empty: by all.
+struct RunsOptions {
+    std::vector<std::string> directions;  // "going"
+    std::vector<std::string> starts;      // "rest"
+};
+
+/// Adds `--direction` and `--start`.
+void add_runs_options(CLI::App& command, RunsOptions& options);
+
 /// Loads a case or chart file with its overrides, and says on stderr which of its keys mean nothing for its case.
 io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides = {});
 

@@ -1,6 +1,7 @@
 #include "interrupt.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/console/terminal.hpp"
 
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <condition_variable>
 #include <csignal>
 #include <mutex>
+#include <string>
 
 namespace stridor::app {
 
@@ -19,6 +21,11 @@ volatile std::sig_atomic_t signals_seen = 0;
 void on_signal(int) {
     signals_seen = signals_seen + 1;
     if (signals_seen > 1) _exit(base::exit_code(ErrorKind::interrupted));
+}
+
+// while the program begins there may be several: mpirun passes on what each process gets from a batch system, too
+void on_early_signal(int) {
+    signals_seen = 1;
 }
 
 void handle_signals(void (*handler)(int)) {
@@ -34,6 +41,10 @@ void handle_signals(void (*handler)(int)) {
 
 }  // namespace
 
+void note_signals() {
+    handle_signals(on_early_signal);
+}
+
 Interrupt::Interrupt()
     : watcher_([this](const std::stop_token& done) {
           std::mutex mutex;
@@ -45,12 +56,16 @@ Interrupt::Interrupt()
               never.wait_for(lock, done, std::chrono::milliseconds(50), [] { return false; });
           }
       }) {
-    signals_seen = 0;
     handle_signals(on_signal);
 }
 
 Interrupt::~Interrupt() {
     handle_signals(SIG_DFL);
+    signals_seen = 0;
+}
+
+storage::WaitOptions waiting(const std::stop_token& stop) {
+    return {stop, [](const std::string& words) { console::say_note(words); }};
 }
 
 }  // namespace stridor::app

@@ -1,9 +1,14 @@
 #pragma once
 
+#include "stridor/storage/waiting.hpp"
+
 #include <stop_token>
 #include <thread>
 
 namespace stridor::app {
+
+/// From now on the signals are noted, for the first `Interrupt` to come: of a program that takes long to begin.
+void note_signals();
 
 /// Turns SIGINT (Ctrl-C), SIGTERM and SIGUSR1 into a stop request; a second one leaves the program at once with
 /// exit code 4.
@@ -23,5 +28,8 @@ private:
     std::stop_source source_;
     std::jthread watcher_;
 };
+
+/// A wait for another process: said on stderr, and ended by a stop request.
+storage::WaitOptions waiting(const std::stop_token& stop = {});
 
 }  // namespace stridor::app

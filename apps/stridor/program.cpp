@@ -3,6 +3,7 @@
 #include "arguments.hpp"
 #include "help.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/threads.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/console/terminal.hpp"
 
@@ -15,6 +16,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -61,6 +63,12 @@ int run(const Program& content, int argc, char** argv) {
         return base::exit_code(error.kind());
     } catch (const std::bad_alloc&) {
         console::say("stridor: error: out of memory");
+        return base::exit_code(ErrorKind::io);
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::resource_unavailable_try_again)
+            console::say_error(base::no_thread(error));
+        else
+            console::say(std::string("stridor: error: ") + error.what());
         return base::exit_code(ErrorKind::io);
     } catch (const std::exception& error) {
         console::say(std::string("stridor: error: ") + error.what());

@@ -37,7 +37,7 @@ print("coming:", chart.counts("coming"))
 
 # %%
 cells = chart.to_xarray()
-categories = stridor.words(cells).category.sel(direction="going")
+categories = cells.category.sel(direction="going")
 is_quiet = np.asarray(categories == "none")
 friction = np.asarray(cells.kinetic_friction)
 quiet_up_to = [friction[: np.argmin(column)].max(initial=0.0) if not column.all() else friction[-1]

@@ -1,6 +1,6 @@
 /**
  * What the page can do without at first: every view but the response, with its line plots,
- * the sheet of keys, the tour.
+ * the sheet of keys, the ways out, the tour.
  */
 import type { Start } from "./data/types.ts";
 import type { Store } from "./state/store.ts";
@@ -9,8 +9,10 @@ import { Help } from "./views/help.ts";
 import { LibraryView } from "./views/library.ts";
 import { Listen } from "./views/listen.ts";
 import { Modes } from "./views/modes.ts";
+import type { Chart } from "./views/chart.ts";
 import { Quiet } from "./views/quiet.ts";
 import { Spectra } from "./views/spectra.ts";
+import { Share } from "./views/share.ts";
 import { Tour } from "./views/tour.ts";
 import type { LaterParts } from "./views/views.ts";
 
@@ -23,6 +25,11 @@ export function viewsOf(store: Store, start: Start): LaterParts {
     quiet: new Quiet(store, start),
     library: new LibraryView(store),
   };
+}
+
+/** The ways out of the page. */
+export function share(store: Store, start: Start, chart: Chart): HTMLElement {
+  return new Share(store, start, chart).element;
 }
 
 /** The tour, not yet begun. */

@@ -6,8 +6,9 @@ import { withJoints } from "./data/cases.ts";
 import { Latest } from "./data/latest.ts";
 import { Motions } from "./data/motions.ts";
 import type { Case, Simulation, Start } from "./data/types.ts";
-import { button, h } from "./draw/dom.ts";
-import { onTheme, setTheme } from "./draw/theme.ts";
+import { button, h, menu, select } from "./draw/dom.ts";
+import { setUnits, unitSystems, type UnitSystem } from "./draw/format.ts";
+import { onLook, relook, setTheme } from "./draw/theme.ts";
 import { Clock } from "./state/clock.ts";
 import { themes, type Design, type State } from "./state/state.ts";
 import { Shown } from "./state/shown.ts";
@@ -16,11 +17,13 @@ import { Chart } from "./views/chart.ts";
 import { Mechanism } from "./views/mechanism.ts";
 import { begun, Complaint, Parameters } from "./views/parameters.ts";
 import { Response } from "./views/response.ts";
-import { Share } from "./views/share.ts";
 import type { Tour } from "./views/tour.ts";
 import { VerdictBar } from "./views/verdict.ts";
 import { Views } from "./views/views.ts";
 
+const purpose =
+  "Change a part and its contact, and see at once whether it squeals, squeaks or creaks, and how to quiet it.";
+const unitsKept = "stridor-units"; // in the browser's storage: which units are written
 const tourSeen = "stridor-tour"; // in the session's storage: the tour was begun
 
 /** What is not needed at once comes when it is first asked for. */
@@ -55,6 +58,7 @@ class Page {
   private readonly mechanism_: Mechanism;
   private readonly views_: Views;
   private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal));
+  private readonly judged_ = new Latest<Design>((design, signal) => this.judge_(design, signal));
   private tour_: Tour | null = null;
   private simulation_: Simulation | null = null;
   private simulated_: Design | null = null; // what the simulation is of
@@ -63,6 +67,7 @@ class Page {
   constructor(private readonly start_: Start) {
     const store = (this.store_ = new Store(defaultsOf(start_)));
     setTheme(store.state.theme);
+    setUnits(localStorage.getItem(unitsKept) === "engineering" ? "engineering" : "si");
     this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
     this.parameters_ = new Parameters(store, start_, (error) => this.complain_(error));
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
@@ -79,9 +84,9 @@ class Page {
       const { motion } = this.motions_;
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
     });
-    onTheme(() => {
+    onLook(() => {
       this.verdict_.repaint(store.state.direction);
-      this.views_.show({ state: store.state, simulation: this.simulation_, step: "replace" });
+      this.follow_(store.state, store.state, "replace");
     });
     store.listen((state, before, step) => this.follow_(state, before, step));
     document.addEventListener("keydown", (event) => this.key_(event));
@@ -89,12 +94,39 @@ class Page {
     this.begin_();
   }
 
+  private unitPicker_(): HTMLElement {
+    const choices = Object.entries(unitSystems);
+    const pick = (name: string): void => {
+      localStorage.setItem(unitsKept, name);
+      setUnits(name as UnitSystem);
+      relook();
+    };
+    const title = "Units of all that is shown; the case and what is sent stay as they are";
+    const picker = select("Units", choices, pick, { id: "units", title });
+    picker.value = localStorage.getItem(unitsKept) ?? "si";
+    return picker;
+  }
+
+  private shareMenu_(): HTMLElement {
+    const sheet = h("div", { class: "sheet" });
+    const fill = async (): Promise<void> => {
+      if (sheet.childElementCount > 0) return;
+      try {
+        sheet.replaceChildren((await later()).share(this.store_, this.start_, this.chart_));
+      } catch (error) {
+        this.complain_(error);
+      }
+    };
+    return menu("Share", sheet, { id: "share" }, () => void fill());
+  }
+
   private layOut_(): void {
     const tools = h(
       "div",
       { class: "tools" },
       this.tourButton_,
-      new Share(this.store_, this.start_, this.chart_).element,
+      this.shareMenu_(),
+      this.unitPicker_(),
       button("◐", () => this.nextTheme_(), {
         "id": "theme",
         "class": "icon",
@@ -113,19 +145,25 @@ class Page {
         "header",
         {},
         h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"),
-        this.verdict_.element,
-        this.verdict_.announcement,
+        h("p", { class: "purpose" }, purpose),
         tools,
       ),
+      this.verdict_.element,
       this.complaint_.element,
-      h("main", {}, this.parameters_.element, this.mechanism_.element, this.chart_.element, this.views_.element),
+      h(
+        "main",
+        {},
+        h("div", { class: "design" }, this.parameters_.element, this.chart_.element),
+        this.mechanism_.element,
+        this.views_.element,
+      ),
     );
   }
 
   private begin_(): void {
     const { state } = this.store_;
     const first = this.presetCase_(state.design.preset);
-    if (first) this.parameters_.show(state, first);
+    if (first) this.parameters_.show(state, first, { ...state.design, set: {} });
     this.chart_.follow(state, "replace");
     this.runs_.ask(state.design);
     this.views_.show({ state, simulation: null, step: "replace" });
@@ -145,11 +183,12 @@ class Page {
       this.verdict_.repaint(state.direction);
       this.mechanism_.goTo(state.direction);
     }
-    const samePreset = state.design.preset === before.design.preset;
-    const known = samePreset
-      ? (this.simulation_?.case ?? this.presetCase_(state.design.preset))
-      : this.presetCase_(state.design.preset);
-    if (known) this.parameters_.show(state, known);
+    const { preset } = state.design;
+    const [known, of] =
+      this.simulation_ && this.simulated_?.preset === preset
+        ? [this.simulation_.case, this.simulated_]
+        : [this.presetCase_(preset), { preset, set: {} }];
+    if (known) this.parameters_.show(state, known, of);
     const isOnlyView = !isNew && state.span !== before.span && state.direction === before.direction;
     if (!isOnlyView) this.chart_.follow(state, step);
     if (!isNew) this.views_.show({ state, simulation: this.simulation_, step });
@@ -161,10 +200,27 @@ class Page {
     if (!this.simulation_ || !same(this.simulated_, design) || same(this.moved_, design)) return;
     this.moved_ = design;
     this.motions_.renew(design, this.simulation_);
+    this.judged_.askNow(design);
+  }
+
+  /** Says how the design stands, both ways and from every start; then, of a quiet one, what lies close to it. */
+  private async judge_(design: Design, signal: AbortSignal): Promise<void> {
+    try {
+      for (const around of [false, true]) {
+        const { headline, standing } = await api.design(design, around, signal);
+        if (signal.aborted) return;
+        this.verdict_.say(headline);
+        if (standing !== "quiet_here") return;
+      }
+    } catch (error) {
+      if (!api.isAbort(error)) this.verdict_.say("");
+    }
   }
 
   private async simulate_(design: Design, signal: AbortSignal): Promise<void> {
     this.verdict_.busy();
+    this.judged_.cancel();
+    this.verdict_.say("");
     try {
       const simulation = await api.simulate(design, signal);
       if (signal.aborted) return;
@@ -173,7 +229,7 @@ class Page {
       this.complain_(null);
       const { state } = this.store_;
       this.verdict_.show(simulation, state.direction);
-      this.parameters_.show(state, simulation.case);
+      this.parameters_.show(state, simulation.case, design);
       this.chart_.know(simulation);
       this.tour_?.know(simulation, design);
       const step = this.store_.isDragging ? "drag" : "replace";

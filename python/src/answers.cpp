@@ -41,8 +41,8 @@ py::str stability(const CaseHandle& c, const std::string& over) {
     }));
 }
 
-py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, std::size_t samples, int threads,
-               const py::object& progress) {
+py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, const std::array<Texts, 2>& runs,
+               std::size_t samples, int threads, const py::object& progress) {
     advice::AdviceOptions options;
     for (const std::string& text : over)
         options.over.push_back(io::read_asked_range(*c.of, text));
@@ -51,6 +51,7 @@ py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, 
     if (samples < 1 || samples > advice::most_samples)
         base::refuse("samples = " + std::to_string(samples) + " is out of range", "",
                      "Take 1 to " + std::to_string(advice::most_samples) + ".");
+    options.runs = io::read_asked_runs(runs[0], runs[1]);
     options.chance.samples = samples;
     options.crew = crew::thread_crews(threads);
     options.progress = [&](const advice::AdviceProgress& now) {
@@ -138,8 +139,8 @@ py::capsule arrow_stream(const std::vector<TableColumn>& columns, const std::map
 void bind_answers(py::module_& module) {
     module.def("arrow_stream", &arrow_stream, py::arg("columns"), py::arg("about"));
     module.def("stability", &stability, py::arg("case"), py::arg("over"));
-    module.def("advise", &advise, py::arg("case"), py::arg("over"), py::arg("tolerances"), py::arg("samples"),
-               py::arg("threads"), py::arg("progress"));
+    module.def("advise", &advise, py::arg("case"), py::arg("over"), py::arg("tolerances"), py::arg("runs"),
+               py::arg("samples"), py::arg("threads"), py::arg("progress"));
     module.def("listen", &listen, py::arg("case"), py::arg("asked"), py::arg("file"));
     module.def("classify", &classify, py::arg("path"), py::arg("full_scales"), py::arg("channel"));
     module.def("find", &find, py::arg("library"), py::arg("conditions"), py::arg("words"), py::arg("sort"));

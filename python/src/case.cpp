@@ -2,6 +2,7 @@
 #include "handles.hpp"
 #include "stridor/analysis/evidence_figures.hpp"
 #include "stridor/base/field_table.hpp"
+#include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/case_changes.hpp"
 #include "stridor/io/case/packed_case.hpp"
@@ -179,6 +180,7 @@ void bind_case(py::module_& module) {
     module.def(
         "unit_of", [](const std::string& name) { return parameters::unit_of(parameters::key_called(name)); },
         py::arg("name"));
+    module.def("quantity", &base::parse_quantity, py::arg("text"), py::arg("unit"));
     module.def("phase_figures", [] { return figure_table(analysis::evidence_figures()); });
     module.def("cell_figures", [] { return figure_table(sweep::cell_figures()); });
 }

@@ -28,7 +28,9 @@
 
 #include <filesystem>
 #include <span>
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::binding {
@@ -56,6 +58,7 @@ py::dict python_counts(const sweep::Counts& counts) {
     py::dict numbers;
     for (std::size_t k = 0; k < counts.categories.size(); ++k)
         numbers[py::str(std::string(classification::category_names[k]))] = counts.categories[k];
+    numbers[py::str(std::string(classification::name(classification::Quiet::locks)))] = counts.locks;
     for (std::size_t k = 1; k < counts.statuses.size(); ++k)
         numbers[py::str(std::string(sweep::status_names[k]))] = counts.statuses[k];
     return numbers;
@@ -128,6 +131,14 @@ py::dict evaluate(const sweep::DesignPoints& points, int threads, const py::obje
 }
 
 /// A finished chart. Its cells lie in the store, which is opened for as long as they are read: others may have it then.
+// for whoever else fills a store: a warning after a second, and an end with the work
+storage::WaitOptions waiting(std::stop_token stop = {}) {
+    return {std::move(stop), [](const std::string& words) {
+                const py::gil_scoped_acquire held;
+                if (PyErr_WarnEx(PyExc_RuntimeWarning, words.c_str(), 1) != 0) throw py::error_already_set();
+            }};
+}
+
 class ChartHandle {
 public:
     const sweep::Study& study() const { return result_.study; }
@@ -144,7 +155,8 @@ public:
     template <typename Use>
     auto with_cells(Use use) {
         const py::gil_scoped_release released;
-        sweep::SweepResult whole = sweep::load(result_.study, std::make_shared<sweep::Store>(store_, result_.study));
+        sweep::SweepResult whole = sweep::load(
+            result_.study, std::make_shared<sweep::Store>(store_, result_.study, sweep::StoreUse::fill, waiting()));
         auto made = use(whole);
         whole.computed.reset();
         result_ = std::move(whole);
@@ -175,7 +187,7 @@ private:
 
 ChartHandle compute(const sweep::Study& study, const std::string& store_file, int threads, const py::object& progress) {
     unlocked([&](const std::stop_token& stop) {
-        sweep::Store store(store_file, study);
+        sweep::Store store(store_file, study, sweep::StoreUse::fill, waiting(stop));
         sweep::RunOptions options;
         options.crew = crew::thread_crews(threads);
         options.stop = stop;

@@ -33,7 +33,8 @@ RunHandle run(const CaseHandle& c, const record::Request& request) {
     return unlocked([&](const std::stop_token& stop) {
         integration::Motion motion = integration::simulate(*c.of, request, stop);
         if (const std::optional<Error> failure = integration::failure(*c.of, motion)) throw Error(*failure);
-        std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.of->verdict);
+        std::vector<Verdict> verdicts =
+            classification::classify_phases(motion.record.phases, c.of->verdict, classification::contact_names(*c.of));
         return RunHandle{c, std::move(motion), std::move(verdicts)};
     });
 }
@@ -54,6 +55,7 @@ py::dict python_phase(const Verdict& verdict) {
     phase["figures"] = figures;
     phase["margins"] = margins;
     phase["reasons"] = verdict.reasons;
+    phase["warnings"] = verdict.warnings;
     return phase;
 }
 

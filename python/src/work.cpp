@@ -1,12 +1,16 @@
 #include "work.hpp"
 
+#include "stridor/base/threads.hpp"
+
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
+#include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace stridor::binding {
@@ -66,9 +70,14 @@ Watcher& watcher() {
     static Watcher* here = nullptr;
     static pid_t process = 0;
     if (process != ::getpid()) {
-        here = new Watcher;
+        auto made = std::make_unique<Watcher>();
+        try {
+            std::thread([of = made.get()] { of->look(); }).detach();
+        } catch (const std::system_error& failure) {
+            throw base::no_thread(failure);
+        }
+        here = made.release();
         process = ::getpid();
-        std::thread([of = here] { of->look(); }).detach();
     }
     return *here;
 }
@@ -81,6 +90,7 @@ Watch::Watch() {
     const bool is_nested = found.sa_handler == on_interrupt;
     const bool is_handled = found.sa_handler != SIG_DFL && found.sa_handler != SIG_IGN;
     if (!is_handled || (found.sa_flags & SA_SIGINFO) != 0) return;
+    Watcher& here = watcher();
     is_watching_ = true;
     if (!is_nested) {
         interrupts_seen = 0;
@@ -88,7 +98,7 @@ Watch::Watch() {
         found.sa_handler = on_interrupt;
         sigaction(SIGINT, &found, nullptr);
     }
-    outer_ = watcher().watch(&source_);
+    outer_ = here.watch(&source_);
 }
 
 Watch::~Watch() {

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple, Optional, Union
 
 from . import _stridor
+from ._given import plain, whole
 
 __all__ = ["Axis", "axis"]
 
@@ -40,9 +41,10 @@ class Axis(NamedTuple):
 
 def _end(end: Union[float, str], unit: str) -> str:
     """With its unit: the other end's is not its own."""
-    if isinstance(end, str):
-        return end
-    return repr(float(end)) if unit == "1" else f"{float(end)!r} {unit}"
+    given = plain(end)
+    if isinstance(given, str):
+        return given
+    return repr(given) if unit == "1" else f"{given!r} {unit}"
 
 
 def axis(
@@ -72,4 +74,4 @@ def axis(
     >>> stridor.axis("preload", 2, "4 kN", 160, scale="log")
     Axis(parameter='preload', start=2, stop='4 kN', points=160, scale='log')
     """
-    return Axis(parameter, start, stop, int(points), scale)
+    return Axis(parameter, start, stop, whole("points", points), scale)

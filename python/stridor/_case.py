@@ -8,33 +8,12 @@ import warnings as _warnings
 from typing import Any, Dict, Iterator, List, Mapping, Tuple, Union
 
 from . import _fields, _html, _stridor
+from ._given import Value, items_of, plain, whole_text
 from .errors import InputError
 
 __all__ = ["Case", "case", "case_names", "from_toml", "read"]
 
-Value = Union[float, str]
-
 _longest_text = 65536  # [bytes] of a case file
-
-
-def _text(text: str) -> str:
-    try:
-        text.encode()
-    except UnicodeEncodeError:
-        raise InputError(f"{text!r} is no text (it has half a character)") from None
-    return text
-
-
-def _plain(value: object) -> Value:
-    """A number as the library takes it, or text."""
-    if isinstance(value, str):
-        return _text(value)
-    if isinstance(value, bool):
-        raise InputError(f"{value} is no value of a case")
-    try:
-        return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{value!r} is neither a number nor text") from None
 
 
 class Case:
@@ -139,7 +118,7 @@ class Case:
 
     def __getitem__(self, key: str) -> Value:
         """A value by its key, its last part or its symbol: ``case["mu_d"]``."""
-        return self._handle.value(_text(key))
+        return self._handle.value(whole_text(key))
 
     def __setitem__(self, key: str, value: object) -> None:
         self.set({key: value})
@@ -170,7 +149,7 @@ class Case:
         >>> stridor.case("squeal").text("contact.preload")
         '20 N'
         """
-        return self._handle.text(key)
+        return self._handle.text(whole_text(key))
 
     def set(self, values: Mapping[str, object]) -> None:
         """Sets several values at once, so that they are held against each other only in the end.
@@ -193,7 +172,8 @@ class Case:
         >>> case.drive.velocity
         0.05
         """
-        self._handle = self._handle.changed([(_text(str(key)), _plain(value)) for key, value in values.items()])
+        given = [(whole_text(str(key)), plain(value)) for key, value in items_of("values by key", values)]
+        self._handle = self._handle.changed(given)
 
     def replace(self, values: Mapping[str, object]) -> Case:
         """A copy with other values, as `set` takes them.
@@ -296,6 +276,20 @@ class Case:
 
 def _unpickled(packed: bytes) -> Case:
     return Case._of(_stridor.unpacked(packed))
+
+
+CaseOrName = Union[Case, str]
+
+
+def as_case(given: object) -> Case:
+    """A case, or the one that comes along under a name."""
+    if isinstance(given, Case):
+        return given
+    if isinstance(given, str) and ("/" in given or given.endswith(".toml")):
+        raise InputError(f'"{given}" is no case. Read the file: stridor.read("{given}").')
+    if isinstance(given, str):
+        return case(whole_text(given))
+    raise InputError(f"{given!r} is no case. Give what stridor.case, stridor.read or stridor.structure makes.")
 
 
 def case(name: str) -> Case:

@@ -8,9 +8,10 @@ from typing import Optional, Sequence, Union
 
 from . import _stridor
 from ._axis import Axis
-from ._case import Case
-from ._charts import Chart, open_chart, temporary_folder
-from ._evaluate import Progress, _directions, _shown
+from ._case import CaseOrName, as_case
+from ._charts import Chart, kept_folder, open_chart
+from ._evaluate import Progress, _list, _shown
+from ._given import files, whole
 from ._launch import launched, put_study
 from .errors import InputError, Interrupted
 
@@ -18,7 +19,7 @@ __all__ = ["chart"]
 
 
 def chart(
-    case: Case,
+    case: CaseOrName,
     *,
     x: Axis,
     y: Optional[Axis] = None,
@@ -38,7 +39,8 @@ def chart(
 
     Parameters
     ----------
-    case : Case
+    case : Case or str
+        The name of one that comes along will do.
     x, y : Axis
         What `axis` makes. Without y each cell of the diagram also has the turns of the joint's motion and the times
         between its beats: `Chart.to_xarray`.
@@ -47,7 +49,7 @@ def chart(
     refine : int
         [1] 0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that only where cells differ.
     starts : sequence of {"rest", "stuck", "sliding"}
-        Each cell is run from all of them and shows the loudest; without them from the case's own.
+        Each cell is run from all of them and shows the worst; without them from the case's own.
     out : path, optional
         The folder. Without it the chart is kept as long as the object.
     threads : int
@@ -81,17 +83,18 @@ def chart(
     >>> stridor.chart(stridor.case("squeal"), x=stridor.axis("mu_d", 0.2, 0.8, 4)).to_xarray().extremes.dims
     ('direction', 'kinetic_friction', 'extreme')
     """
-    study = _stridor.study(case._handle, _axis_text(x), "" if y is None else _axis_text(y), _directions(directions),
-                           list(starts), ["category"], int(refine))
+    study = _stridor.study(as_case(case)._handle, _axis_text(x), "" if y is None else _axis_text(y), _list(directions),
+                           _list(starts), ["category"], whole("refine", refine))
+    threads = whole("threads", threads)
     if launcher:
-        return _of_launcher(launcher, study, out, int(threads), progress)
-    kept, folder = (None, pathlib.Path(out)) if out is not None else temporary_folder()
-    folder.mkdir(parents=True, exist_ok=True)
+        return _of_launcher(launcher, study, out, threads, progress)
+    kept, folder = (None, pathlib.Path(out)) if out is not None else kept_folder()
+    _make(folder)
     if not (folder / "chart.sqlite").exists():
         put_study(study, folder / "chart.toml")
     show, close = _shown(progress, "cell")
     try:
-        handle = _stridor.compute(study, str(folder / "chart.sqlite"), int(threads), show)
+        handle = _stridor.compute(study, str(folder / "chart.sqlite"), threads, show)
     except Interrupted as error:
         raise error if kept is None else _nothing_kept(error) from None
     finally:
@@ -108,9 +111,14 @@ def _of_launcher(launcher: Sequence[str], study: _stridor.StudyHandle, out: Unio
     if progress:
         raise InputError("a launcher tells no progress (its program runs elsewhere). Ask `stridor chart-status`.")
     folder = pathlib.Path(out)
-    folder.mkdir(parents=True, exist_ok=True)
+    _make(folder)
     launched(launcher, study, folder, threads)
     return open_chart(folder)
+
+
+def _make(folder: pathlib.Path) -> None:
+    with files(f"make the folder {folder}"):
+        folder.mkdir(parents=True, exist_ok=True)
 
 
 def _axis_text(axis: object) -> str:

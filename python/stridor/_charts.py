@@ -11,6 +11,7 @@ import numpy
 
 from . import _chart_parts, _html, _stridor
 from ._case import Case
+from ._given import files, plain_text, temporary_folder, whole_text
 from ._chart_parts import Boundary, ChartAxis
 from ._evaluate import _named, words
 from ._optional import needed
@@ -178,7 +179,7 @@ class Chart:
         for name, value in values.items():
             if name not in names:
                 raise InputError(f'the chart has no axis "{name}". {"Its axes are" if self.y else "It has"} {both}.')
-            texts[names[name]] = value if isinstance(value, str) else repr(float(value))
+            texts[names[name]] = plain_text(value)
         if len(texts) != 2:
             raise InputError(f"a cell has {'two values' if self.y else 'one value'}. Give {both}.")
         return Case._of(self._handle.case_at(texts["x"], texts["y"], direction or ""))
@@ -188,7 +189,7 @@ class Chart:
         return [Boundary(self.directions[line[0]], *line[1:]) for line in self._handle.boundaries()]
 
     def to_xarray(self) -> Any:
-        """The chart as `xarray.open_dataset("chart.nc")` gives it; `words` makes words of its flags.
+        """The chart as `words(xarray.open_dataset("chart.nc"))` gives it: categories and statuses are words.
 
         Returns
         -------
@@ -202,15 +203,15 @@ class Chart:
         >>> import stridor
         >>> chart = stridor.chart(stridor.case("noise-chart"), x=stridor.axis("preload", 2, 4000, 4),
         ...                       y=stridor.axis("mu_d", 0.0, 0.8, 4))
-        >>> float((stridor.words(chart.to_xarray()).category == "none").mean())
+        >>> float((chart.to_xarray().category == "none").mean())
         0.5625
         """
         xarray = needed("xarray", "a dataset")
         needed("netCDF4", "a dataset")
-        with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
+        with temporary_folder() as folder:
             path = os.path.join(folder, "chart.nc")
             self._handle.write_netcdf(path)
-            data = xarray.load_dataset(path)
+            data = words(xarray.load_dataset(path))
         return data if self.y is not None else _chart_parts.with_diagram(self, data)
 
     def to_pandas(self) -> Any:
@@ -229,7 +230,7 @@ class Chart:
         18
         """
         needed("pandas", "a table")
-        return words(self.to_xarray().drop_dims(["extreme", "beat"], errors="ignore")).to_dataframe().reset_index()
+        return self.to_xarray().drop_dims(["extreme", "beat"], errors="ignore").to_dataframe().reset_index()
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
         """All cells as a stream of Arrow, as `table` makes them: pyarrow, polars and others take a chart as it is."""
@@ -317,7 +318,7 @@ class Chart:
         >>> chart.svg().startswith("<?xml")
         True
         """
-        return self._handle.svg(figure)
+        return self._handle.svg(whole_text(figure))
 
     def _repr_html_(self) -> str:
         svg = self.svg()
@@ -334,19 +335,23 @@ class Chart:
         return f"<chart over {self.x.parameter} and {self.y.parameter}: {size}, in {self.folder}>"
 
     def __reduce__(self) -> Tuple[object, ...]:
-        return _unpickled, (self._handle.toml(), (self.folder / "chart.sqlite").read_bytes())
+        with files(f"read the store in {self.folder}"):
+            store = (self.folder / "chart.sqlite").read_bytes()
+        return _unpickled, (self._handle.toml(), store)
 
 
-def temporary_folder() -> Tuple[Any, pathlib.Path]:
+def kept_folder() -> Tuple[Any, pathlib.Path]:
     """A folder, after what it goes with."""
-    kept = tempfile.TemporaryDirectory(prefix="stridor-chart-")
+    with files("make a temporary folder"):
+        kept = tempfile.TemporaryDirectory(prefix="stridor-chart-")
     return kept, pathlib.Path(kept.name)
 
 
 def _unpickled(text: str, store: bytes) -> Chart:
-    kept, folder = temporary_folder()
-    (folder / "chart.toml").write_text(text, encoding="utf-8")
-    (folder / "chart.sqlite").write_bytes(store)
+    kept, folder = kept_folder()
+    with files(f"write into {folder}"):
+        (folder / "chart.toml").write_text(text, encoding="utf-8")
+        (folder / "chart.sqlite").write_bytes(store)
     chart = open_chart(folder)
     chart._kept = kept
     return chart

@@ -9,8 +9,9 @@ import numpy
 
 from . import _html, _stridor
 from ._axis import Axis
-from ._case import Case
-from ._evaluate import Progress, _shown
+from ._case import CaseOrName, as_case
+from ._evaluate import Progress, _list, _shown
+from ._given import plain_text, whole
 from ._optional import needed
 from .errors import InputError
 
@@ -140,12 +141,13 @@ class Stability(_Document):
         return _html.table(rows, ("direction", "kind", "growth", "frequency", "boundaries"))
 
 
-def stability(case: Case, *, over: Optional[Axis] = None) -> Stability:
+def stability(case: CaseOrName, *, over: Optional[Axis] = None) -> Stability:
     """Complex eigenvalues of steady sliding: mode coupling (flutter) and sprag-slip (divergence).
 
     Parameters
     ----------
-    case : Case
+    case : Case or str
+        The name of one that comes along will do.
     over : Axis, optional
         A quantity to follow; its scale does not matter. Kinetic friction may go beyond static friction here.
 
@@ -163,7 +165,7 @@ def stability(case: Case, *, over: Optional[Axis] = None) -> Stability:
     if over is not None and not isinstance(over, Axis):
         raise InputError(f"{over!r} is no axis. Make one by stridor.axis.")
     text = "" if over is None else over._replace(scale=None).text
-    return Stability(_stridor.stability(case._handle, text))
+    return Stability(_stridor.stability(as_case(case)._handle, text))
 
 
 class Advice(_Document):
@@ -178,8 +180,15 @@ class Advice(_Document):
     """
 
     @property
+    def headline(self) -> str:
+        """What the design does, in a few words, and how close to noise it is where it is quiet: report, page and
+        `stridor advise` begin with the same.
+        """
+        return str(self._document["headline"])
+
+    @property
     def category(self) -> str:
-        """Of the design as it is: that of its loudest phase."""
+        """Of the design as it is, judged both ways and from every start: that of its loudest phase."""
         return str(self._document["present"]["category"])
 
     @property
@@ -200,13 +209,15 @@ class Advice(_Document):
 
     @property
     def chance(self) -> Optional[Dict[str, Any]]:
-        """The chance of noise within the tolerances, with the ends of its interval; None without tolerances."""
+        """The chance of noise within the tolerances, with the ends of its interval; without tolerances of a quiet
+        design alone, within those that parts usually have.
+        """
         chance: Optional[Dict[str, Any]] = self.to_dict().get("chance")
         return chance
 
     @property
     def runs(self) -> int:
-        """How many designs were simulated."""
+        """How many motions were simulated."""
         return int(self._document["runs"])
 
     def __repr__(self) -> str:
@@ -214,10 +225,12 @@ class Advice(_Document):
 
 
 def advise(
-    case: Case,
+    case: CaseOrName,
     *,
     over: Union[Sequence[str], Mapping[str, str]] = (),
     tolerances: Optional[Mapping[str, object]] = None,
+    directions: Sequence[str] = (),
+    starts: Sequence[str] = (),
     samples: int = 1024,
     threads: int = 0,
     progress: Progress = False,
@@ -226,12 +239,17 @@ def advise(
 
     Parameters
     ----------
-    case : Case
+    case : Case or str
+        The name of one that comes along will do.
     over : sequence of str, or mapping
         Quantities that may be changed, within their usual range, or by name their range ("5:50 N"); without it all
         that have a usual range.
     tolerances : mapping, optional
         By quantity its tolerance, as text: "10 %", "2 N", "0.05 normal"; a number is in the quantity's unit.
+    directions : sequence of str
+        "going" or "coming": judge this way of moving alone; without it both.
+    starts : sequence of str
+        "rest", "stuck", "sliding": judge motions that begin so; without it all that the case can begin with.
     samples : int
         [1] Designs sampled within the tolerances.
     threads : int
@@ -252,16 +270,21 @@ def advise(
     >>> advice.chance["noise"]
     1.0
     """
-    asked = [f"{name}={ends}" for name, ends in over.items()] if isinstance(over, Mapping) else list(over)
-    amounts = [f"{name}={amount}" for name, amount in (tolerances or {}).items()]
+    of = as_case(case)
+    asked = [f"{name}={ends}" for name, ends in over.items()] if isinstance(over, Mapping) else _list(over)
+    amounts = [f"{name}={plain_text(amount)}" for name, amount in (tolerances or {}).items()]
+    designs, count = _count(samples), whole("threads", threads)
     show, close = _shown(progress, "%")
     try:
-        return Advice(_stridor.advise(case._handle, asked, amounts, _count(samples), int(threads), show))
+        return Advice(
+            _stridor.advise(of._handle, asked, amounts, (_list(directions), _list(starts)), designs, count, show)
+        )
     finally:
         close()
 
 
 def _count(samples: int) -> int:
-    if int(samples) < 1:
+    count = whole("samples", samples)
+    if count < 1:
         raise InputError(f"samples = {samples} is out of range. Take one at least.")
-    return int(samples)
+    return count

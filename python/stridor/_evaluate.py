@@ -7,7 +7,8 @@ from typing import Any, Callable, Dict, List, Mapping, Sequence, Tuple, Union
 import numpy
 
 from . import _stridor
-from ._case import Case
+from ._case import CaseOrName, as_case
+from ._given import whole
 from ._optional import needed, progress_bar
 from ._points import Points, field_of, points_of
 from .errors import InputError
@@ -35,8 +36,13 @@ def _shown(progress: Progress, unit: str) -> Tuple[Any, Callable[[], None]]:
     return show, bar.close
 
 
-def _directions(directions: Union[str, Sequence[str]]) -> List[str]:
-    return [directions] if isinstance(directions, str) else list(directions)
+def _list(names: Union[str, Sequence[str]]) -> List[str]:
+    """One name or several."""
+    several = [names] if isinstance(names, str) else list(names)
+    for name in several:
+        if not isinstance(name, str):
+            raise InputError(f"{name!r} is no name (it is no text)")
+    return several
 
 
 def _named(numbers: Any, names: Sequence[str], missing: str) -> Any:
@@ -46,7 +52,7 @@ def _named(numbers: Any, names: Sequence[str], missing: str) -> Any:
 
 
 def evaluate(
-    case: Case,
+    case: CaseOrName,
     values: Mapping[str, object],
     *,
     directions: Union[str, Sequence[str]] = ("going", "coming"),
@@ -60,17 +66,18 @@ def evaluate(
 
     Parameters
     ----------
-    case : Case
-        All that does not change.
+    case : Case or str
+        All that does not change; the name of one that comes along will do.
     values : mapping
-        By key, last part of it or symbol. Of a quantity numbers in its unit, or text with units; of what is chosen
-        words: ``{"run.engine": ["exact", "taylor"]}``. The arrays are broadcast against each other; the result has
-        their shape. Where words leave something out (a constant drive its velocity), another array says it; what means
+        By key, last part of it or symbol. Of a quantity numbers in its unit, or text with units. An array that says its
+        unit (pint, astropy, the attribute `units` of xarray) is read in it. Of what is chosen words:
+        ``{"run.engine": ["exact", "moreau"]}``. The arrays are broadcast against each other; the result has their
+        shape. Where words leave something out (a constant drive its velocity), another array says it; what means
         nothing for a point's words changes nothing there.
     directions : "going", "coming", or both
         A constant drive is run once for each, with V = +-abs(velocity).
     starts : sequence of {"rest", "stuck", "sliding"}
-        Each point is run from all of them and shows the loudest; without them from the case's own.
+        Each point is run from all of them and shows the worst; without them from the case's own.
     threads : int
         [1] 0: one per processor this process may use.
     progress : bool or callable
@@ -106,15 +113,16 @@ def evaluate(
     ['plastic: 0.679', 'restitution: 0.715']
     """
     xarray = needed("xarray", "an evaluation")
-    points = points_of(case, values)
-    ways, starts = _directions(directions), list(starts)
+    points = points_of(as_case(case), values)
+    ways, starts = _list(directions), _list(starts)
     if starts and "run.initial" in points.columns:
         raise InputError("starts and run.initial both say where a run begins. Leave one of them out.")
     asked = _stridor.points([base._handle for base in points.bases], points.base_of, points.keys, points.values, ways,
                             starts)
+    count = whole("threads", threads)
     show, close = _shown(progress, "run")
     try:
-        result = _stridor.evaluate(asked, int(threads), show)
+        result = _stridor.evaluate(asked, count, show)
     finally:
         close()
     return xarray.Dataset(*_dataset_parts(points, ways, starts, result))
@@ -154,13 +162,25 @@ def _coordinate(key: str, taken: Mapping[str, object]) -> str:
     return key.replace(".", "_") if name in taken or key.count(".") > 1 else name
 
 
+def with_texts(data: Any) -> Any:
+    """A dataset of a file of ours with its long texts as attributes, which HDF5 takes as variables only."""
+    texts = [name for name in ("study", "case") if name in data.variables and not data[name].dims]
+    named = data.drop_vars(texts).copy()
+    for name in texts:
+        text = data[name].item()
+        named.attrs[name] = text.decode("utf-8") if isinstance(text, bytes) else str(text)
+    return named
+
+
 def words(data: Any) -> Any:
-    """A dataset of ours with words where a netCDF file has numbers of words (flags).
+    """A dataset of one of our files, with words where a netCDF file has numbers of words (flags).
+
+    What this package hands out has its words already.
 
     Parameters
     ----------
     data : xarray.Dataset
-        A chart or a trace.
+        A chart or a trace, as `xarray.open_dataset` reads it.
 
     Returns
     -------
@@ -168,13 +188,17 @@ def words(data: Any) -> Any:
 
     Examples
     --------
-    >>> import stridor
-    >>> trace = stridor.words(stridor.simulate(stridor.case("squeal")).trace(0, "1 ms"))
-    >>> str(trace.state.values[0])
-    'slip'
+    >>> import stridor, xarray
+    >>> chart = stridor.chart(stridor.case("noise-chart"), x=stridor.axis("preload", 2, 4000, 4),
+    ...                       y=stridor.axis("mu_d", 0.0, 0.8, 4), out="small")
+    >>> with xarray.open_dataset("small/chart.nc") as file:
+    ...     stridor.words(file).identical(chart.to_xarray())
+    True
     """
-    named = data.copy()
-    for name, variable in data.data_vars.items():
+    if not hasattr(data, "data_vars"):
+        raise InputError(f"{type(data).__name__} is no dataset. Give a chart or a trace.")
+    named = with_texts(data)
+    for name, variable in data.variables.items():
         if "flag_meanings" not in variable.attrs:
             continue
         numbers = numpy.atleast_1d(variable.attrs["flag_values"])
@@ -183,5 +207,6 @@ def words(data: Any) -> Any:
         found, places = numpy.unique(variable.values, return_inverse=True)
         texts = numpy.array([table[int(number)] for number in found])[places].reshape(variable.shape)
         attributes = {key: value for key, value in variable.attrs.items() if not key.startswith("flag_")}
-        named[name] = (variable.dims, texts, attributes)
+        put = named.assign_coords if name in data.coords else named.assign
+        named = put({name: (variable.dims, texts, attributes)})
     return named

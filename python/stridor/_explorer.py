@@ -14,7 +14,8 @@ from typing import Any, List, Optional, Type
 from urllib.parse import urlsplit
 
 from . import _html
-from ._case import Case
+from ._case import CaseOrName, as_case
+from ._given import files, whole
 from ._program import ends_with_its_parent, found
 from .errors import Error, FileError, InputError
 
@@ -44,7 +45,8 @@ class Explorer:
         self._links: List[str] = []
         self._error: Optional[Exception] = None
         self._changed = threading.Condition()
-        self._complaints: Any = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
+        with files("make a temporary file"):
+            self._complaints: Any = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         # the child ends with the thread that started it: this one lives as long as the child
         self._thread = threading.Thread(target=self._serve, args=(command, text), name="stridor explore", daemon=True)
         self._thread.start()
@@ -117,7 +119,7 @@ class Explorer:
             for line in self._process.stdout:
                 self._add(line.strip())
             self._process.wait()
-        except OSError as error:
+        except (OSError, ValueError) as error:  # a null byte in what it is told
             self._error = error
         with self._changed:
             self._error = self._error or Error("the explorer has ended")
@@ -129,8 +131,9 @@ class Explorer:
             self._changed.notify_all()
 
     def _failure(self) -> Exception:
-        if isinstance(self._error, OSError):
-            return FileError(f"the explorer cannot be started ({self._error})")
+        if isinstance(self._error, (OSError, ValueError)):
+            kind = FileError if isinstance(self._error, OSError) else InputError
+            return kind(f"the explorer cannot be started ({self._error})")
         self._complaints.seek(0)
         text = self._complaints.read().strip().replace("stridor: error: ", "")
         return InputError(text or "the explorer did not start")
@@ -152,7 +155,7 @@ class Explorer:
 
 
 def explore(
-    case: Optional[Case] = None,
+    case: Optional[CaseOrName] = None,
     *,
     frame: Optional[str] = None,
     threads: int = 0,
@@ -165,8 +168,8 @@ def explore(
 
     Parameters
     ----------
-    case : Case, optional
-        What the page begins with; without it the paper's squeal.
+    case : Case or str, optional
+        What the page begins with, or the name of one that comes along; without it the paper's squeal.
     frame : str, optional
         The origin of the notebook's page, as the browser shows it: "http://127.0.0.1:8888". Without it what the
         notebook's server says of itself, else "http://localhost:8888".
@@ -196,9 +199,11 @@ def explore(
     """
     if browser not in ("", "none"):
         raise InputError(f'browser = "{browser}" is not one of its choices. Choose "" or "none".')
-    text = "" if case is None else case.to_toml()
+    if frame is not None and not isinstance(frame, str):
+        raise InputError(f"frame = {frame!r} is no origin. Write \"http://127.0.0.1:8888\".")
+    text = "" if case is None else as_case(case).to_toml()
     command = [found("stridor"), "explore", *(["-"] if case is not None else []),
-               "--frame", _notebook_origin() if frame is None else frame, "--threads", str(int(threads))]
+               "--frame", _notebook_origin() if frame is None else frame, "--threads", str(whole("threads", threads))]
     is_shown_elsewhere = browser == "none" or _is_notebook()
     explorer = Explorer(command + ["--no-browser"] * is_shown_elsewhere, text)
     if not is_shown_elsewhere:

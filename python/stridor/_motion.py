@@ -6,7 +6,9 @@ import json
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 from . import _fields, _html, _stridor
-from ._case import Case
+from ._case import Case, CaseOrName, as_case
+from ._evaluate import _named
+from ._given import plain
 from ._optional import needed
 from .errors import InputError
 
@@ -45,9 +47,11 @@ class PhaseVerdict:
     category : str
         "none", "squeal", "squeak", "creak" or "undecided".
     quiet_because : str
-        "slides" or "sticks", of a phase without noise; else "no".
+        "slides", "sticks" or "locks", of a phase without noise; else "no". What locks is no quiet design.
     reasons : list of str
         Sentences, in the order of the rules.
+    warnings : list of str
+        What to know beside the category.
     margins : list of Margin
         The figures beside their thresholds.
 
@@ -58,16 +62,18 @@ class PhaseVerdict:
     'slides'
     """
 
-    __slots__ = ("category", "quiet_because", "reasons", "margins")
+    __slots__ = ("category", "quiet_because", "reasons", "warnings", "margins")
     category: str
     quiet_because: str
     reasons: List[str]
+    warnings: List[str]
     margins: List[Margin]
 
     def __init__(self, phase: Dict[str, Any]) -> None:
         self.category = phase["category"]
         self.quiet_because = phase["quiet_because"]
         self.reasons = phase["reasons"]
+        self.warnings = phase["warnings"]
         self.margins = [Margin(*margin) for margin in phase["margins"]]
 
     def __repr__(self) -> str:
@@ -217,7 +223,7 @@ class Motion:
         -------
         xarray.Dataset
             As `stridor simulate --trace FILE.nc` writes it: displacement [m], velocity [m/s] and acceleration
-            [m/s^2] over (dof, time), forces [N] and gap [m] over time, and the contact's state (`words` names it).
+            [m/s^2] over (dof, time), forces [N] and gap [m] over time, and the contact's state, a word.
 
         Examples
         --------
@@ -225,6 +231,8 @@ class Motion:
         >>> trace = stridor.simulate(stridor.case("squeal")).trace(0.2, 0.21)
         >>> trace.velocity.sel(dof="x1").shape, trace.velocity.units
         ((501,), 'm/s')
+        >>> int((trace.state == "slip").sum()) > 0
+        True
         """
         xarray = needed("xarray", "a trace")
         parts = _stridor.trace(self.case._handle, _time_text(start), _time_text(stop), _time_text(interval))
@@ -232,8 +240,7 @@ class Motion:
             raise InputError(f"a trace from {start} to {stop} has no samples (the run ends before)")
         variables = {name: (dimensions, array, {"units": unit, "long_name": sentence})
                      for name, dimensions, array, unit, sentence in parts["columns"]}
-        states = _flags(parts["states"], _stridor.contact_states, "contact state")
-        variables["state"] = (variables["gap"][0], *states)
+        variables["state"] = (variables["gap"][0], *_states(parts["states"]))
         dofs = ("dof", parts["dofs"], {"long_name": "degree of freedom"})
         coordinates = {"time": variables.pop("time"), "dof": dofs}
         return xarray.Dataset(variables, coordinates)
@@ -244,8 +251,8 @@ class Motion:
         Returns
         -------
         xarray.Dataset
-            Over `interval`: contact (its number, from 1), state, from and to [s], slip_velocity and gap_velocity at
-            the beginning [m/s].
+            Over `interval`: contact (its number, from 1), state (a word), from and to [s], slip_velocity and
+            gap_velocity at the beginning [m/s].
 
         Examples
         --------
@@ -263,7 +270,7 @@ class Motion:
             name: ("interval", numbers[:, k], {"units": unit, "long_name": sentence})
             for k, (name, unit, sentence) in enumerate(sentences)}
         variables["contact"] = ("interval", contacts, {"units": "1", "long_name": "number of the contact, from 1"})
-        variables["state"] = ("interval", *_flags(states, _stridor.contact_states, "contact state"))
+        variables["state"] = ("interval", *_states(states))
         return xarray.Dataset(variables)
 
     def __getstate__(self) -> Tuple[Any, ...]:
@@ -285,32 +292,35 @@ class Motion:
 
     def _repr_html_(self) -> str:
         rows = [(_html.escaped(phase.name), _html.badge(phase.category), f"{phase.slip:.1%}", f"{phase.stick:.1%}",
-                 f"{phase.separation:.1%}", f"{phase.frequency:.1f} Hz", f"{phase.joint_level:.1f} dB",
+                 f"{phase.separation:.1%}", f"{phase.frequency:.1f} Hz", _level_text(phase.joint_level),
                  _html.escaped(" ".join(phase.verdict.reasons))) for phase in self.phases]
         heading = ("phase", "category", "slip", "stick", "separation", "frequency", "level", "why")
         return f"<p><b>{_html.escaped(self.case.title)}</b></p>" + _html.table(rows, heading)
 
 
+def _level_text(level: float) -> str:
+    return f"{level:.1f} dB" if level > 0.0 else "-"
+
+
 def _time_text(time: Time) -> str:
-    if time is None:
-        return ""
-    return time if isinstance(time, str) else f"{float(time)!r} s"
+    given = "" if time is None else plain(time)
+    return given if isinstance(given, str) else f"{given!r} s"
 
 
-def _flags(numbers: Any, names: List[str], sentence: str) -> Tuple[Any, Dict[str, Any]]:
-    numpy = needed("numpy", "an array")
-    return numbers, {"long_name": sentence, "flag_values": numpy.arange(len(names), dtype="i1"),
-                     "flag_meanings": " ".join(names)}
+def _states(numbers: Any) -> Tuple[Any, Dict[str, str]]:
+    """Words, and what they are."""
+    return _named(numbers, _stridor.contact_states, ""), {"long_name": "contact state"}
 
 
-def simulate(case: Case) -> Motion:
+def simulate(case: CaseOrName) -> Motion:
     """Runs a case.
 
     Other Python threads go on meanwhile. Ctrl-C ends it within a tenth of a second.
 
     Parameters
     ----------
-    case : Case
+    case : Case or str
+        The name of one that comes along will do.
 
     Returns
     -------
@@ -333,4 +343,5 @@ def simulate(case: Case) -> Motion:
     >>> print(motion.going.verdict.reasons[-1])
     states alternate regularly (regularity 0.997)
     """
-    return Motion(case.copy(), _stridor.simulate(case._handle))
+    of = as_case(case).copy()
+    return Motion(of, _stridor.simulate(of._handle))

@@ -8,7 +8,8 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Tuple
 import numpy
 
 from . import _stridor
-from ._case import Case, _plain
+from ._case import Case
+from ._given import array, items_of
 from .errors import Error, InputError
 
 __all__: List[str] = []
@@ -57,12 +58,13 @@ def field_of(key: str) -> Dict[str, Any]:
 def points_of(case: Case, values: Mapping[str, object]) -> Points:
     """The points that arrays of values make of a case."""
     names: Dict[str, object] = {}
+    values = dict(items_of("values by key", values))
     for name in values:
         other = names.setdefault(_stridor.key_called(str(name)), name)
         if other is not name:
             same = f"{other} and {name} set the same quantity"
             raise InputError._saying([(same, "", "Leave one of them out.", None)])
-    given = _broadcast({key: numpy.asarray(values[name]) for key, name in names.items()})  # type: ignore[index]
+    given = _broadcast({key: array(str(name), values[name]) for key, name in names.items()})  # type: ignore[index]
     words = [key for key in given if field_of(key)["unit"] is None]
     combinations: Dict[Tuple[Any, ...], List[int]] = {}
     texts = [[_item(text) for text in given[key].ravel()] for key in words]
@@ -124,23 +126,28 @@ def _base(case: Case, words: Dict[str, Any], given: Mapping[str, Any], points: S
 
 def _numbers(key: str, column: Any, bases: Sequence[Case], base_of: Sequence[int]) -> Any:
     """A column of numbers, or of texts with units."""
-    if column.dtype.kind in "US":
-        column = numpy.array([_number(key, str(text), [bases[base_of[point]], *bases], point)
-                              for point, text in enumerate(column.ravel())], dtype=float).reshape(column.shape)
-    try:
-        if column.dtype.kind in "cO":
-            raise TypeError
+    if column.dtype.kind != "U":
         return column.astype(float)
-    except (TypeError, ValueError):
-        raise InputError(f"the values of {key} are no numbers") from None
+    known: Dict[Tuple[str, int], object] = {}  # a text often stands at many points
+    numbers = []
+    for point, text in enumerate(column.ravel().tolist()):
+        base = base_of[point]
+        if (text, base) not in known:
+            known[text, base] = _number(key, text, [bases[base], *bases], point)
+        numbers.append(known[text, base])
+    return numpy.array(numbers, dtype=float).reshape(column.shape)
 
 
 def _number(key: str, text: str, cases: Sequence[Case], point: int) -> object:
-    """In the quantity's unit, as the first of the cases has it that knows the quantity."""
-    errors = []
+    """In the quantity's unit; what is more than a number with a unit as the first of the cases has it that knows it."""
+    errors: List[Error] = []
+    try:
+        return _stridor.quantity(text, _stridor.unit_of(key))
+    except Error:
+        pass
     for case in cases:
         try:
-            return case.replace({key: _plain(text)})[key]
+            return case.replace({key: text})[key]
         except Error as error:
             errors.append(error)
     raise numbered(point, errors[0]) from None

@@ -6,12 +6,12 @@ import base64
 import json
 import os
 import pathlib
-import tempfile
 from typing import Any, Dict, List, Optional, Sequence, Union
 
 from . import _html, _stridor
-from ._case import Case
+from ._case import CaseOrName, as_case
 from ._design import _Document
+from ._given import files, plain, temporary_folder
 from ._optional import needed
 from .errors import FileError, InputError
 
@@ -72,7 +72,7 @@ def _chosen(what: str, word: str, words: Sequence[str]) -> str:
 
 
 def listen(
-    case: Case,
+    case: CaseOrName,
     *,
     of: str = "joint",
     quantity: str = "velocity",
@@ -85,7 +85,8 @@ def listen(
 
     Parameters
     ----------
-    case : Case
+    case : Case or str
+        The name of one that comes along will do.
     of : str
         "joint", "plate", or the name of one of several joints; of a structure of one's own a contact or a row.
     quantity : {"velocity", "acceleration"}
@@ -114,13 +115,19 @@ def listen(
         of,
         _chosen("quantity", quantity, ("velocity", "acceleration")),
         _chosen("component", component, ("", "x", "y")),
-        rate if isinstance(rate, str) else f"{float(rate)!r} Hz",
-        seconds if isinstance(seconds, str) else f"{float(seconds)!r} s",
+        _in(rate, "Hz"),
+        _in(seconds, "s"),
     ]
-    with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
+    with temporary_folder() as folder:
         path = pathlib.Path(folder) / "sound.wav"
-        document = _stridor.listen(case._handle, asked, str(path))
-        return Sound(document, path.read_bytes())
+        document = _stridor.listen(as_case(case)._handle, asked, str(path))
+        with files("read the sound again"):
+            return Sound(document, path.read_bytes())
+
+
+def _in(value: Union[float, str], unit: str) -> str:
+    given = plain(value)
+    return given if isinstance(given, str) else f"{given!r} {unit}"
 
 
 class Hearing(_Document):

@@ -5,18 +5,21 @@ from __future__ import annotations
 import csv
 import json
 import pathlib
-import tempfile
 from decimal import Decimal
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from . import _stridor
-from ._case import Case, _plain, _text
+from ._case import Case
+from ._given import bare, files, items_of, plain, temporary_folder, whole_text
 from ._optional import needed
 from .errors import Error, InputError
 
 __all__ = ["structure"]
 
 _most_rows = 2000  # [1] of a structure: what the engines take
+# in which arrays are taken; of all others without one
+_units = {"mass": "kg", "stiffness": "N/m", "damping": "N*s/m", "load": "N", "initial_displacement": "m",
+          "initial_gap": "m", "position": "m", "rayleigh_mass": "1/s", "rayleigh_stiffness": "s"}
 
 
 def structure(
@@ -85,7 +88,7 @@ def structure(
     >>> stridor.simulate(block).whole.category
     'none'
     """
-    with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
+    with temporary_folder() as folder, files("write the structure into a temporary folder"):
         here = pathlib.Path(folder)
         lines = [f"title = {_quoted(title)}", *_value_lines(values), "[structure]", 'contacts = "contacts.csv"']
         for name, matrix in (("mass", mass), ("stiffness", stiffness), ("damping", damping)):
@@ -100,7 +103,7 @@ def structure(
         lists = {"load": load, "force": force, "initial_displacement": initial_displacement,
                  "initial_velocity": initial_velocity}
         lines += [f"{name} = {_list(name, list_of)}" for name, list_of in lists.items() if list_of is not None]
-        for name, direction in (outputs or {}).items():
+        for name, direction in items_of("directions by name", {} if outputs is None else outputs):
             text = _quoted(direction) if isinstance(direction, str) else _list(f"output {name}", direction)
             lines += ["[[structure.output]]", f"name = {_quoted(name)}", f"direction = {text}"]
         _write_contacts(here / "contacts.csv", contacts)
@@ -113,23 +116,24 @@ def structure(
 
 def _quoted(text: str) -> str:
     """As TOML has it."""
-    return json.dumps(_text(text), ensure_ascii=False).replace("\x7f", "\\u007f")
+    return json.dumps(whole_text(text), ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _value_lines(values: Mapping[str, object]) -> List[str]:
     lines = []
-    for name, value in values.items():
-        key, plain = _stridor.key_called(_text(str(name))), _plain(value)
+    for name, value in items_of("values by key", values):
+        key, given = _stridor.key_called(whole_text(str(name))), plain(value)
         unit = _stridor.unit_of(key)
-        if isinstance(plain, str):
-            lines.append(f"{key} = {_quoted(plain)}")
+        if isinstance(given, str):
+            lines.append(f"{key} = {_quoted(given)}")
         else:
-            lines.append(f'{key} = "{plain!r} {unit}"' if unit not in ("", "1") else f"{key} = {plain!r}")
+            lines.append(f'{key} = "{given!r} {unit}"' if unit not in ("", "1") else f"{key} = {given!r}")
     return lines
 
 
 def _array(what: str, numbers: Any) -> Any:
     numpy = needed("numpy", "a structure")
+    numbers = bare(what, numbers, _units.get(what, ""))
     if hasattr(numbers, "toarray") and max(numbers.shape) <= _most_rows:  # SciPy's sparse ones
         numbers = numbers.toarray()
     try:
@@ -145,6 +149,7 @@ def _array(what: str, numbers: Any) -> Any:
 
 
 def _write_matrix(path: pathlib.Path, name: str, matrix: Any) -> None:
+    matrix = bare(name, matrix, _units[name])
     shape = getattr(matrix, "shape", None)
     if shape is not None and len(shape) == 2 and max(shape) > _most_rows:
         raise InputError(f"{name} has the shape {shape[0]} x {shape[1]} (a structure has up to {_most_rows} rows). "
@@ -173,7 +178,7 @@ def _write_contacts(path: pathlib.Path, contacts: Sequence[Mapping[str, Any]]) -
 
 def _cell(key: str, value: Any) -> str:
     if isinstance(value, str):
-        return _text(value)
+        return whole_text(value)
     array = _array(key, value)
     if array.ndim > 1 and max(array.shape) == array.size:  # a row or a column of a matrix
         array = array.ravel()

@@ -6,10 +6,12 @@ search path, `engine=stridor.xarray_backend.StoreBackend`.
 
 from __future__ import annotations
 
+import errno
 import os
 import pathlib
 import socket
 import sqlite3
+import stat
 import time
 from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Tuple, Union
 
@@ -19,6 +21,8 @@ from xarray.backends import BackendEntrypoint
 
 from . import _stridor
 from ._charts import open_chart
+from ._evaluate import _named
+from ._given import files
 from .errors import FileError, InputError, Interrupted
 
 __all__ = ["StoreBackend"]
@@ -29,16 +33,17 @@ _texts = ("message", "starts")
 _longest_silence = 60.0  # [s] of an owner, who is dead then
 _patience = 10.0  # [s] for a moment in which the store does not change
 _pause = 0.002  # [s] between looks
+_longest_owner = 4096  # [bytes] of an owner's file
 _at_once = 4096  # rows, which take less time than there is between two commits
 
 
 class StoreBackend(BackendEntrypoint):
     """Opens chart.sqlite with the chart.toml beside it.
 
-    A finished store gives what chart.nc holds. One with cells missing gives those that are there: `status` is -1 where
-    a cell is not yet computed, figures are nan. So does one that another program of this machine is filling, which is
-    not kept waiting: all cells that it had kept when reading began, and perhaps some that came since. One that is
-    filled on another machine is refused.
+    A finished store gives what `Chart.to_xarray` does. One with cells missing gives those that are there: `status`,
+    `category` and `quiet_because` are "not_computed" where a cell is not yet computed, figures are nan. So does
+    one that another program of this machine is filling, which is not kept waiting: all cells that it had kept when
+    reading began, and perhaps some that came since. One that is filled on another machine is refused.
 
     Examples
     --------
@@ -57,6 +62,8 @@ class StoreBackend(BackendEntrypoint):
                      **more: Any) -> Any:
         """The chart as a dataset over (direction, y, x), loaded into memory."""
         path = pathlib.Path(os.fspath(filename_or_obj))
+        with files(f"read {path}"):
+            path.stat()
         if not self.guess_can_open(path):
             raise InputError(f"{path} is no store of a chart")
         try:
@@ -69,9 +76,8 @@ class StoreBackend(BackendEntrypoint):
     def guess_can_open(self, filename_or_obj: Any) -> bool:
         """Whether it is a store, by its first bytes."""
         try:
-            with open(os.fspath(filename_or_obj), "rb") as file:
-                head = file.read(72)
-        except (OSError, TypeError):
+            head, _ = _beginning(os.fspath(filename_or_obj), 72)
+        except (OSError, TypeError, ValueError):
             return False
         return head.startswith(_mark[0]) and head[68:] == _mark[1]
 
@@ -100,10 +106,9 @@ def _unfinished(path: pathlib.Path) -> xarray.Dataset:
         attributes: Dict[str, Any] = {}
         if name in _words:
             words = _stridor.words[name]
-            whole[ids] = [words.index(word) if word in words else -1 for word in column]
-            missing = "not_computed" if name == "status" else "not_done"
-            attributes = {"flag_values": numpy.array([*range(len(words)), -1], dtype="i1"),
-                          "flag_meanings": " ".join([*(word or "none" for word in words), missing])}
+            not_done = len(words)
+            whole[ids] = [words.index(word) if word in words else not_done for word in column]
+            whole = _named(whole, [*(word or "none" for word in words), "not_done"], "not_computed")
         else:
             whole[ids] = numpy.array([numpy.nan if number is None else number for number in column], dtype=float)
         variables[name] = (dimensions, whole.reshape(shape), attributes)
@@ -135,19 +140,34 @@ class _Filler(NamedTuple):
 def _filler(path: pathlib.Path) -> Optional[_Filler]:
     """Nothing where nobody does. Throws `FileError` where one does whose changes are not to be seen from here."""
     owner = path.with_name(path.name + ".owner")
-    try:
-        lines = owner.read_text(encoding="utf-8").splitlines()
-        silence = time.time() - owner.stat().st_mtime
-    except FileNotFoundError:
-        return None
+    with files(f"read {owner}"):
+        try:
+            text, changed = _beginning(owner, _longest_owner)
+        except FileNotFoundError:
+            return None
+    lines = text.decode("utf-8", "replace").splitlines()
     said = {key.strip(): value.strip() for key, _, value in (line.partition("=") for line in lines)}
-    process = int(said.get("process") or 0)
-    if silence > _longest_silence or (said.get("host") == socket.gethostname() and not _is_there(process)):
+    process = _whole(said.get("process"), 0)
+    is_silent = abs(time.time() - changed) > _longest_silence  # one from the future says no more than an old one
+    if is_silent or (said.get("host") == socket.gethostname() and not _is_there(process)):
         return None
     # with a descriptor of its own closed, a process gives back its locks
     if said.get("host") != socket.gethostname() or process == os.getpid():
         raise FileError(f"{path} is in use (process {process} of host {said.get('host')} fills it)")
-    return _Filler(said.get("mark", ""), int(said.get("changes") or 1))
+    return _Filler(said.get("mark", ""), _whole(said.get("changes"), 1))
+
+
+def _whole(text: Optional[str], otherwise: int) -> int:
+    return int(text) if text and text.isascii() and text.isdigit() else otherwise
+
+
+def _beginning(name: Union[str, os.PathLike[str]], most: int) -> Tuple[bytes, float]:
+    """The first bytes of a plain file and when it changed [s]; a pipe or a device, which may never answer, is none."""
+    with open(os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
+        about = os.fstat(file.fileno())
+        if not stat.S_ISREG(about.st_mode):
+            raise OSError(errno.EINVAL, "it is no plain file")
+        return file.read(most), about.st_mtime
 
 
 def _is_there(process: int) -> bool:

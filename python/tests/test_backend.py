@@ -47,7 +47,7 @@ def test_an_unfinished_one_has_what_is_there(more):
     before = pathlib.Path("stopped/chart.sqlite").read_bytes()
     part = opened("stopped/chart.sqlite")
     assert pathlib.Path("stopped/chart.sqlite").read_bytes() == before
-    there = numpy.asarray(part.status) >= 0
+    there = numpy.asarray(part.status != "not_computed")
     assert 0 < there.sum() == part.attrs["cells_computed"] < there.size == part.attrs["cells"]
     for name in ("preload", "kinetic_friction"):
         assert (part[name].values == whole[name].values).all() and part[name].units == whole[name].units
@@ -56,8 +56,10 @@ def test_an_unfinished_one_has_what_is_there(more):
         ours, theirs = part[name].values[there], whole[name].values[there]
         assert numpy.array_equal(ours, theirs, equal_nan=name not in ("status", "category")), name
         assert part[name].dims == whole[name].dims
-    assert numpy.isnan(part.slip.values[~there]).all() and (part.category.values[~there] == -1).all()
-    assert set(stridor.words(part).status.values[~there]) == {"not_computed"}
+    assert numpy.isnan(part.slip.values[~there]).all()
+    for name in ("status", "category", "quiet_because"):
+        assert set(part[name].values[~there]) == {"not_computed"}, name
+    assert (part.category == "none").sum() == (whole.category.values[there] == "none").sum() > 0
 
 
 def test_a_damaged_one_is_told(small_chart):
@@ -75,6 +77,24 @@ def test_what_is_no_store_is_refused(tmp_path):
 
     (tmp_path / "a.sqlite").write_bytes(os.urandom(200))
     assert not StoreBackend().guess_can_open("a.sqlite") and not StoreBackend().guess_can_open("missing")
-    for name in ("a.sqlite", "missing.sqlite"):
-        with pytest.raises(stridor.InputError, match="no store"):
+    with pytest.raises(stridor.InputError, match="no store"):
+        opened("a.sqlite")
+    for name in ("missing.sqlite", "folder/missing.sqlite", "a.sqlite/b"):
+        with pytest.raises(stridor.FileError, match="cannot read"):
             opened(name)
+
+
+def test_what_would_be_waited_for_is_no_store(small_chart):
+    from stridor.xarray_backend import StoreBackend
+
+    os.mkfifo("pipe.sqlite")
+    assert not StoreBackend().guess_can_open("pipe.sqlite")
+    small_chart(out="done")
+    # an owner that cannot be read tells nothing, and nobody waits for it
+    os.mkfifo("done/chart.sqlite.owner")
+    with pytest.raises(stridor.FileError, match="no plain file"):
+        opened("done/chart.sqlite")
+    os.remove("done/chart.sqlite.owner")
+    pathlib.Path("done/chart.sqlite.owner").write_bytes(b"process = many\nchanges = \xff\n")
+    os.utime("done/chart.sqlite.owner", (0, 0))
+    assert "category" in opened("done/chart.sqlite")

@@ -1,8 +1,12 @@
 """Whatever comes in wrong goes out as a typed exception, and never ends the process."""
 
 import copy
+import datetime
+import os
 import pickle
+import tempfile
 
+import numpy
 import pytest
 
 import stridor
@@ -33,6 +37,9 @@ WRONG_VALUES = [
     ("contact.preload", float("inf")), ("contact.preload", "20 kg"), ("contact.preload", "twenty"),
     ("contact.preload", ""), ("contact.preload", "20 N N"), ("contact.preload", "1e999"), ("contact.preload", "\x00"),
     ("contact.preload", None), ("contact.preload", True), ("contact.preload", [1, 2]), ("contact.preload", {}),
+    ("contact.preload", numpy.True_), ("contact.preload", numpy.datetime64("1970-02-01")), ("contact.preload", b"20"),
+    ("contact.preload", numpy.timedelta64(20, "ns")), ("contact.preload", numpy.array(True)), ("contact.preload", 2j),
+    ("contact.preload", datetime.timedelta(20)), ("contact.preload", numpy.array([20.0])),
     ("contact.preloda", 20), ("contakt.preload", 20), ("", 20), ("=", 20), ("contact.preload=1", 20), ("mass", 1),
     ("joint.lip2.mass", 1), ("run.engine", "exakt"), ("run.engine", 1), ("drive.kind", "constant"),
     ("drive.velocity", 0.1), ("drive.file", "missing.csv"), ("drive.kind", "sampled"), ("title", "two\nlines"),
@@ -147,16 +154,79 @@ def test_wrong_traces_are_refused(squeal, times):
 @pytest.mark.parametrize("values", [
     {}, {"preloda": [1]}, {"preload": [1], "mu_d": [1, 2], "mu_s": [1, 2, 3]}, {"preload": ["a"]},
     {"preload": [None]}, {"preload": [float("nan")]}, {"preload": [1j]}, {"run.engine": [1.0]}, {"F": 1, "preload": 2},
-    {"drive.velocity": [1.0]}, {"preload": object()}], ids=str)
+    {"drive.velocity": [1.0]}, {"preload": object()}, {"preload": [True]}, {"preload": [True, 20.0]},
+    {"preload": numpy.array(["2020-01-01"], "datetime64[D]")}, {"preload": numpy.array([20], "timedelta64[s]")},
+    {"preload": [datetime.date(2020, 1, 1)]}, {"preload": numpy.array([b"20 N"])}, {"preload": [[1.0], [1.0, 2.0]]},
+    {"preload": numpy.ma.array([20.0, 30.0], mask=[False, True])}, {"run.engine": [True]}], ids=str)
 def test_wrong_points_are_refused(squeal, values):
     with pytest.raises(stridor.InputError):
         stridor.evaluate(squeal, values)
 
 
 def test_wrong_kinds_of_arguments_are_type_errors(squeal):
-    for call in (lambda: stridor.simulate("squeal"), lambda: stridor.case(1), lambda: stridor._stridor.simulate(None),
+    for call in (lambda: stridor.case(1), lambda: stridor._stridor.simulate(None),
                  lambda: stridor._stridor.CaseHandle(), lambda: stridor._stridor.ChartHandle()):
         with pytest.raises((TypeError, AttributeError)):
             call()
     with pytest.raises(stridor.InputError):
         stridor.evaluate(squeal, {"preload": [1.0]}, directions="up")
+
+
+def test_no_moment_and_no_truth_is_a_number_anywhere(squeal):
+    axis = stridor.axis("mu_d", 0.2, 0.8, 4)
+    for wrong in (True, numpy.True_, numpy.datetime64("2020-01-01"), numpy.timedelta64(3, "s")):
+        for call in (lambda: stridor.axis("preload", 2, wrong).text, lambda: stridor.axis("preload", wrong, 20).text,
+                     lambda: stridor.axis("preload", 2, 20, wrong), lambda: stridor.simulate(squeal).trace(0, wrong),
+                     lambda: stridor.listen(squeal, seconds=wrong), lambda: stridor.listen(squeal, rate=wrong),
+                     lambda: stridor.advise(squeal, over=["preload"], tolerances={"preload": wrong}),
+                     lambda: stridor.advise(squeal, over=["preload"], samples=wrong),
+                     lambda: stridor.chart(squeal, x=axis, refine=wrong),
+                     lambda: stridor.chart(squeal, x=axis, threads=wrong),
+                     lambda: stridor.evaluate(squeal, {"preload": 20.0}, threads=wrong),
+                     lambda: stridor.explore(squeal, threads=wrong)):
+            with pytest.raises(stridor.InputError, match="is (no|neither)"):
+                call()
+
+
+def test_what_is_no_mapping_and_no_text_is_told(squeal):
+    numbers = {"mass": numpy.eye(2), "stiffness": numpy.eye(2), "contacts": []}
+    for wrong in (None, 3, "preload", [20.0], object()):
+        for call in (lambda: squeal.set(wrong), lambda: squeal.replace(wrong), lambda: stridor.evaluate(squeal, wrong),
+                     lambda: stridor.structure(values=wrong, **numbers), lambda: stridor.words(wrong)):
+            with pytest.raises(stridor.InputError, match="is no (mapping|dataset)"):
+                call()
+    for wrong in (None, 3, ["preload"]):
+        for call in (lambda: squeal[wrong], lambda: squeal.text(wrong)):
+            with pytest.raises(stridor.InputError, match="is no text"):
+                call()
+
+
+def test_whole_numbers_are_whole(squeal):
+    for wrong in (2.5, "2", None, 10**20, [1], float("nan")):
+        with pytest.raises(stridor.InputError, match="threads"):
+            stridor.evaluate(squeal, {"preload": 20.0}, threads=wrong)
+    assert stridor.axis("preload", 2, 20, numpy.int64(5)).points == 5 == stridor.axis("preload", 2, 20, 5.0).points
+
+
+def test_what_the_system_refuses_is_a_file_error(squeal, small_chart, monkeypatch):
+    axis = stridor.axis("mu_d", 0.2, 0.8, 4)
+    with open("file", "w", encoding="ascii"):
+        pass
+    for folder in ("file", "file/below", "/proc/nowhere/chart", "a\0b"):
+        with pytest.raises(stridor.FileError, match="cannot make the folder"):
+            stridor.chart(squeal, x=axis, out=folder)
+    chart = small_chart(out="gone")
+    os.remove("gone/chart.sqlite")
+    with pytest.raises(stridor.FileError, match="cannot read the store"):
+        pickle.dumps(chart)
+    for call in (lambda: stridor.open_chart("nowhere"), lambda: stridor.read("nowhere.toml"),
+                 lambda: stridor.read_sound("nowhere.wav"), lambda: squeal.save("nowhere/case.toml"),
+                 lambda: stridor.library("nowhere.sqlite").find()):
+        with pytest.raises(stridor.FileError):
+            call()
+    monkeypatch.setattr(tempfile, "tempdir", "/nowhere")
+    kept = small_chart(out="kept")
+    for call in (kept.to_xarray, lambda: stridor.listen(squeal), lambda: stridor.chart(squeal, x=axis),
+                 lambda: stridor.explore(squeal, browser="none")):
+        with pytest.raises(stridor.FileError, match="cannot make a temporary f"):
+            call()

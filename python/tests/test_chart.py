@@ -35,10 +35,16 @@ def test_a_dataset_is_the_opened_file(small_chart):
         folder = f"pair{len(more)}{'s' if 'starts' in more else ''}"
         chart = small_chart(out=folder, **more)
         with xarray.open_dataset(f"{folder}/chart.nc") as file:
-            assert chart.to_xarray().identical(file)
-    named = stridor.words(chart.to_xarray())
+            assert chart.to_xarray().identical(stridor.words(file))
+    named = chart.to_xarray()
     assert set(numpy.unique(named.category)) <= {"none", "squeal", "squeak", "creak", "undecided", "not_done"}
     assert (named.category.values == chart.categories()).all()
+    assert 0 < (named.category == "squeal").sum() == chart.counts()["squeal"]
+    assert set(numpy.unique(named.status)) <= set(stridor._stridor.words["status"])
+    # words stay words, on a disk too
+    named.to_netcdf("words.nc")
+    with xarray.open_dataset("words.nc") as file:
+        assert (file.category == named.category).all() and stridor.words(named).identical(named)
 
 
 def test_a_table_has_a_row_for_each_cell(small_chart):
@@ -171,7 +177,7 @@ def test_a_diagram_is_a_dataset_with_its_columns(diagram, squeal):
     assert chart.categories().shape == chart.figure("slip").shape == (2, 12) == data.category.shape
     assert data.category.dims == ("direction", "kinetic_friction") and float(data.preload) == 20.0
     assert data.extremes.units == "m" and data.beat_intervals.units == "s"
-    noisy = (stridor.words(data).category == "squeal").values
+    noisy = (data.category == "squeal").values
     for values in (data.extremes.values, data.beat_intervals.values):
         rising = numpy.diff(values, axis=-1)
         assert (rising[numpy.isfinite(rising)] > 0).all() and numpy.isfinite(values[noisy][:, 0]).all()

@@ -53,6 +53,77 @@ def test_texts_have_units_and_a_table_has_words(squeal):
     assert sizes.sum() == 4
 
 
+class WithUnit:
+    """Numbers with a unit, as pint, astropy and others have them: numpy drops it."""
+
+    def __init__(self, numbers, unit, names=("magnitude", "units")):
+        setattr(self, names[0], numbers)
+        setattr(self, names[1], unit)
+        self.numbers = numbers
+
+    def __array__(self, dtype=None, copy=None):
+        return numpy.asarray(self.numbers, dtype)
+
+    def __float__(self):
+        return float(self.numbers)
+
+
+class Unit:
+    """pint's long name, and its short one."""
+
+    def __str__(self):
+        return "kilonewton"
+
+    def __format__(self, form):
+        return "kN" if form == "~C" else "kilonewton"
+
+
+def quantities(numbers):
+    xarray = needed("xarray")
+    yield xarray.DataArray(numbers, dims="k", attrs={"units": "kN"})
+    yield xarray.DataArray(numpy.asarray(numbers), dims="k", attrs={"unit": "kN"})
+    yield WithUnit(numpy.asarray(numbers), Unit())
+    yield WithUnit(numpy.asarray(numbers), "kN", ("value", "unit"))
+    yield [WithUnit(number, Unit()) for number in numbers]
+    yield numpy.array([f"{number} kN" for number in numbers], dtype=object)
+    yield [xarray.DataArray(number, attrs={"units": "kN"}) for number in numbers]
+
+
+def test_units_of_arrays_are_read(squeal):
+    case = short(squeal)
+    for given in quantities([0.02, 0.2]):
+        assert list(stridor.evaluate(case, {"preload": given}).preload.values) == [20.0, 200.0]
+    speed = WithUnit(numpy.array([50.0]), "mm / s")
+    doe = stridor.evaluate(case, {"drive.kind": "constant", "drive.velocity": speed}, directions="going")
+    assert list(doe.velocity.values) == [0.05]
+    # what came out goes in again, with the same bits
+    first = stridor.evaluate(case, {"preload": numpy.geomspace(5, 500, 3), "mu_d": numpy.linspace(0.1, 0.7, 3)})
+    assert first.preload.units == "N"
+    again = stridor.evaluate(case, {"preload": first.preload, "mu_d": first.kinetic_friction})
+    assert again.identical(first)
+
+
+def test_units_are_read_wherever_a_number_is_taken(squeal):
+    for given in list(quantities([0.2]))[:4]:
+        one = given if isinstance(given, WithUnit) else given[0]
+        if isinstance(one, WithUnit):
+            one = WithUnit(0.2, getattr(one, "units", getattr(one, "unit", None)))
+        assert squeal.replace({"preload": one}).contact.preload == 200.0
+        assert stridor.axis("preload", 2, one, 5).text == "preload=2.0 N:0.2 kN:5"
+    millisecond = WithUnit(2.0, "ms")
+    assert stridor.simulate(squeal).trace(0, millisecond, "1 ms").sizes["time"] == 3
+    with pytest.raises(stridor.InputError, match="in tonne"):
+        stridor.structure(mass=WithUnit(numpy.eye(2), "tonne"), stiffness=numpy.eye(2), contacts=[], values={})
+
+
+def test_a_unit_of_something_else_is_refused(squeal):
+    for unit in ("kg", "parsecs", "m/s", Unit):
+        with pytest.raises(stridor.InputError):
+            stridor.evaluate(squeal, {"preload": WithUnit(numpy.array([1.0]), unit)})
+        with pytest.raises(stridor.InputError):
+            squeal.replace({"preload": WithUnit(1.0, unit)})
+
+
 def test_contradictions_are_points_and_ranges_are_errors(squeal):
     doe = stridor.evaluate(short(squeal), {"mu_d": [0.9, 0.1]}, directions="going")
     assert list(doe.status.values[0]) == ["invalid", "done"]
@@ -68,7 +139,7 @@ def test_with_starts_each_is_a_cell_of_such_a_chart(drive, starts, squeal):
     needed("netCDF4")
     case = short(stridor.case("noise-chart") if drive == "constant" else squeal, 0.3)
     axes = {"x": stridor.axis("preload", 2, 4000, 6), "y": stridor.axis("mu_d", 0.0, 0.8, 5)}
-    chart = stridor.words(stridor.chart(case, **axes, starts=starts).to_xarray())
+    chart = stridor.chart(case, **axes, starts=starts).to_xarray()
     values = {"preload": chart.preload.values[None, :], "mu_d": chart.kinetic_friction.values[:, None]}
     points = stridor.evaluate(case, values, starts=starts, threads=2)
     for name in points.data_vars:

@@ -78,7 +78,8 @@ def test_the_case_is_shown_to_its_notebook_alone(squeal):
     assert not explorer.is_running and "ended" in repr(explorer) and "<iframe" not in explorer._repr_html_()
 
 
-@pytest.mark.parametrize("frame", ["*", "", "http://evil.example", "http://localhost:8888/tree", "http://localhost *"])
+@pytest.mark.parametrize("frame", ["*", "", "http://evil.example", "http://localhost:8888/tree", "http://localhost *",
+                                   "http://localhost:8888\0", 8888, ["http://localhost:8888"]])
 def test_other_origins_are_refused(frame):
     with pytest.raises(stridor.InputError):
         stridor.explore(frame=frame, browser="none")

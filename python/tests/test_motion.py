@@ -2,6 +2,7 @@
 
 import json
 import math
+import pathlib
 import pickle
 
 import pytest
@@ -67,7 +68,7 @@ def test_a_trace_is_the_programs_netcdf(name, program):
     with xarray.open_dataset("trace.nc", decode_times=False) as file:
         theirs = file.load().drop_vars([name for name in file.variables if name.startswith("interval")])
     theirs.attrs = {}
-    xarray.testing.assert_identical(mine, theirs)
+    xarray.testing.assert_identical(mine, stridor.words(theirs))
 
 
 def test_arrays_are_views_that_nobody_writes(squeal):
@@ -82,9 +83,31 @@ def test_arrays_are_views_that_nobody_writes(squeal):
 
 def test_a_history_has_no_gaps(squeal):
     needed("xarray")
-    history = stridor.words(stridor.simulate(squeal).history())
+    history = stridor.simulate(squeal).history()
     assert (history["from"].values[1:] == history["to"].values[:-1]).all()
     assert set(history.state.values) == {"slip", "stick", "separation"}
+
+
+def test_states_are_words(squeal):
+    needed("xarray")
+    motion = stridor.simulate(squeal)
+    trace = motion.trace(0.2, 0.21)
+    assert ((trace.state == "slip") == (trace.friction_force != 0) & (trace.state != "stick")).all()
+    shares = {state: float((trace.state == state).mean()) for state in stridor._stridor.contact_states}
+    assert shares["slip"] > 0.2 and shares["separation"] > 0.6 and sum(shares.values()) == pytest.approx(1.0)
+    history = motion.history()
+    assert (history.state == "slip").sum() > 100 and stridor.words(trace).identical(trace)
+
+
+def test_the_name_of_a_ready_case_will_do(squeal):
+    assert stridor.simulate("squeal") == stridor.simulate(squeal)
+    with pytest.raises(stridor.InputError, match='Did you mean "squeal"'):
+        stridor.simulate("squeel")
+    with pytest.raises(stridor.InputError, match="stridor.read"):
+        stridor.simulate("door/seal.toml")
+    for wrong in (None, 3, squeal.to_dict(), ["squeal"], pathlib.Path("seal.toml")):
+        with pytest.raises(stridor.InputError, match="is no case"):
+            stridor.simulate(wrong)
 
 
 def test_cards_show_what_is_said(squeal):

@@ -16,7 +16,7 @@ using stridor::support::write_text;
 
 namespace {
 
-const std::string fixtures = std::string(STRIDOR_SOURCE_DIR) + "/tests/fixtures/signals/";
+const std::string fixtures = STRIDOR_SOURCE_DIR "/tests/fixtures/signals/";
 
 void expect_refused(const Finished& finished, int exit_code, const std::string& word) {
     EXPECT_EQ(finished.signal, 0) << finished.err;
@@ -55,6 +55,17 @@ TEST(Convert, PrintsOneJsonDocumentWithUnits) {
     EXPECT_EQ(document["channels"][0]["calibration"], "option");
 }
 
+TEST(Convert, SaysWhatWasUnderstood) {
+    const std::string table = "n;Zeit t / s;Kraft [kN]\n0;0,0;0,5\n1;0,1;-1,5\n2;0,2;0,7\n";
+    const ScratchFolder folder;
+    const nlohmann::json document = json_of(run({"convert", "-", "--json"}, folder.path(), table).out);
+    EXPECT_EQ(document["time"], "column 2, \"Zeit t\" in s");
+    EXPECT_EQ(document["channels"][0]["unit_in_file"], "kN");
+    EXPECT_EQ(document["left_out"][0].get<std::string>().substr(0, 13), "column 1, \"n\"");
+    const std::string report = run({"convert", "-"}, folder.path(), table).out;
+    EXPECT_NE(report.find("  channel 1 Kraft: peak 1500 N (written in kN)\n  left out  column 1"), std::string::npos);
+}
+
 TEST(Convert, ReadsAPipeAndWritesToOne) {
     const ScratchFolder folder;
     const Finished finished = run({"convert", "-", "-", "--format", "csv"}, folder.path(), "# rate: 2\n0.5\n-1\n");
@@ -79,7 +90,7 @@ TEST(Convert, EndsWithTwoForBadInputAndFiveForFiles) {
     expect_refused(run({"convert", "text.wav"}, folder.path()), 2, "this is text and no sound");
     expect_refused(run({"convert", "empty.csv"}, folder.path()), 2, "the file is empty");
     expect_refused(run({"convert", "cut.wav", "b.csv"}, folder.path()), 2, "cut off");
-    expect_refused(run({"convert", fixtures + "scipy_nan.wav", "b.csv"}, folder.path()), 2, "frame 40");
+    expect_refused(run({"convert", fixtures + "scipy_nan.wav", "b.csv"}, folder.path()), 2, "sample 41");
     expect_refused(run({"convert", fixtures + "scipy_16.wav", "b.xyz"}, folder.path()), 2, "--format");
     expect_refused(run({"convert", fixtures + "scipy_16.wav", "--full-scale", "2"}, folder.path()), 2, "no unit");
     expect_refused(run({"convert", fixtures + "scipy_16.wav", "-", "--format", "wav"}, folder.path()), 2,

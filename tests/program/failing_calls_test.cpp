@@ -120,8 +120,22 @@ protected:
     const Command& command() const { return std::get<0>(GetParam()); }
     const Fault& fault() const { return std::get<1>(GetParam()); }
 
+    // what a command finds and leaves, made once in a process for all its faults
+    struct Place {
+        ScratchFolder folder;  // "before", and "work" anew for each try
+        Files before;
+        Files after;
+    };
+
     void SetUp() override {
-        fs::create_directories(folder_ / "before/tmp");
+        static std::map<std::string, Place> places;
+        const bool is_new = !places.contains(command().name);
+        place_ = &places[command().name];
+        if (is_new) prepare();
+    }
+
+    void prepare() {
+        fs::create_directories(folder() / "before/tmp");
         start_in("before", {"init", "squeal", "-o", "squeal.toml"});
         start_in("before", {"init", "noise-chart", "-o", "pair.toml"});
         for (const auto& [file, duration] : {std::pair("sound.wav", "0.3"), std::pair("other.wav", "0.35")})
@@ -130,10 +144,10 @@ protected:
         start_in("before", {"library", "add", "sound.wav", "--library", "given.sqlite"});
         start_in("before", {"library", "export", "archive.tar", "--library", "given.sqlite"});
         if (!command().before.empty()) start_in("before", command().before);
-        before_ = seen("before");
+        place_->before = seen("before");
         begin_anew();
         start_in("work", command().arguments);
-        after_ = seen("work");
+        place_->after = seen("work");
     }
 
     void start_in(const std::string& place, const Arguments& arguments) const {
@@ -143,28 +157,28 @@ protected:
 
     Finished run_in(const std::string& place, const Arguments& arguments,
                     std::vector<std::pair<std::string, std::string>> environment) const {
-        environment.emplace_back("TMPDIR", (folder_ / place / "tmp").string());
+        environment.emplace_back("TMPDIR", (folder() / place / "tmp").string());
         const bool is_other = !command().program.empty() && arguments == command().arguments;
         return support::run(Launch{
-            arguments, folder_ / place, {}, std::nullopt, environment, is_other ? command().program : std::string()});
+            arguments, folder() / place, {}, std::nullopt, environment, is_other ? command().program : std::string()});
     }
 
     void begin_anew() const {
-        fs::remove_all(folder_ / "work");
-        fs::copy(folder_ / "before", folder_ / "work", fs::copy_options::recursive);
+        fs::remove_all(folder() / "work");
+        fs::copy(folder() / "before", folder() / "work", fs::copy_options::recursive);
     }
 
     Files files_in(const std::string& place) const {
         Files files;
         for (const std::string& name : command().whole)
-            if (fs::exists(folder_ / place / name)) files[name] = read_text(folder_ / place / name);
+            if (fs::exists(folder() / place / name)) files[name] = read_text(folder() / place / name);
         return files;
     }
 
     // whatever a user can see
     Files seen(const std::string& place) const {
         Files files = files_in(place);
-        if (fs::exists(folder_ / place / "l.sqlite"))
+        if (fs::exists(folder() / place / "l.sqlite"))
             files[listing] = run_in(place, {"library", "list", "--json", "--library", "l.sqlite"}, {}).out;
         return files;
     }
@@ -172,7 +186,7 @@ protected:
     // temporaries and journals
     std::string leftovers() const {
         std::string found;
-        for (const auto& each : fs::recursive_directory_iterator(folder_ / "work")) {
+        for (const auto& each : fs::recursive_directory_iterator(folder() / "work")) {
             const std::string name = each.path().filename().string();
             const bool is_left = name.starts_with(".stridor-") || name.ends_with("-journal") ||
                                  name.ends_with(".part") || name.ends_with(".marker") || name.starts_with("stridor-");
@@ -184,16 +198,16 @@ protected:
     // nothing if the command made fewer calls than n
     std::optional<Finished> fail_at(long n) {
         begin_anew();
-        fs::remove(folder_ / "report");
+        fs::remove(folder() / "report");
         const Finished finished = run_in("work", command().arguments,
                                          {{"LD_PRELOAD", STRIDOR_FAILING_CALLS},
                                           {"ASAN_OPTIONS", "strict_string_checks=1:verify_asan_link_order=0"},
-                                          {"FAILING_BELOW", (folder_ / "work").string()},
+                                          {"FAILING_BELOW", (folder() / "work").string()},
                                           {"FAILING_AT", std::to_string(n)},
                                           {"FAILING_WITH", std::to_string(fault().error)},
                                           {"FAILING_TIMES", std::to_string(fault().times)},
-                                          {"FAILING_REPORT", (folder_ / "report").string()}});
-        if (!fs::exists(folder_ / "report")) return std::nullopt;
+                                          {"FAILING_REPORT", (folder() / "report").string()}});
+        if (!fs::exists(folder() / "report")) return std::nullopt;
         return finished;
     }
 
@@ -207,9 +221,12 @@ protected:
         return false;
     }
 
-    ScratchFolder folder_;
-    Files before_;
-    Files after_;
+    const ScratchFolder& folder() const { return place_->folder; }
+    const Files& before() const { return place_->before; }
+    const Files& after() const { return place_->after; }
+
+private:
+    Place* place_ = nullptr;
 };
 
 bool has(const Files& files, const std::string& name, const std::string& bytes) {
@@ -238,7 +255,7 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
         const std::optional<Finished> finished = fail_at(n);
         if (!finished) break;
         const std::string what = command().name + std::string(" ") + fault().name + " at call " + std::to_string(n) +
-                                 " (" + read_text(folder_ / "report").substr(0, 300) + ") " + finished->err;
+                                 " (" + read_text(folder() / "report").substr(0, 300) + ") " + finished->err;
         const bool is_killed = fault().error < 0 && finished->signal == -fault().error;
         ASSERT_TRUE(is_killed || finished->exit_code == 0 || finished->exit_code == 5) << finished->exit_code << what;
         if (finished->exit_code == 5) {
@@ -249,11 +266,11 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
         if (finished->exit_code != 0) {
             const Files left = files_in("work");
             for (const auto& [name, bytes] : left)
-                ASSERT_TRUE(has(before_, name, bytes) || has(after_, name, bytes)) << name << what;
-            for (const auto& [name, bytes] : before_)
+                ASSERT_TRUE(has(before(), name, bytes) || has(after(), name, bytes)) << name << what;
+            for (const auto& [name, bytes] : before())
                 ASSERT_TRUE(left.contains(name) || name == listing) << name << what;
         } else {
-            ASSERT_EQ(seen("work"), after_) << what;
+            ASSERT_EQ(seen("work"), after()) << what;
         }
         // what failed, or left something, is run once more
         if (finished->exit_code == 0 && leftovers().empty()) continue;
@@ -262,7 +279,7 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
         for (int k = 0; is_killed && !leftovers().empty() && k < 20; ++k)
             again = run_in("work", command().arguments, {});
         ASSERT_EQ(again.exit_code, 0) << again.err << what;
-        ASSERT_EQ(seen("work"), after_) << what;
+        ASSERT_EQ(seen("work"), after()) << what;
         ASSERT_EQ(leftovers(), "") << what;
     }
     RecordProperty("calls", std::to_string(tried));

@@ -167,18 +167,59 @@ killed_shares slow_plain $slow_plain
 echo "$at_work of $((4 * kills)) kills came while it was at work"
 [ "$at_work" -ge "$kills" ] || fail "too few"
 
+# notes_signals PROCESS: whether it runs the program, and SIGUSR1 is caught or left to rank 0: the tenth signal is the
+# second bit of the third digit
+notes_signals() {
+    [ "$(readlink "/proc/$1/exe")" = "$(readlink -f "$stridor_mpi")" ] &&
+        grep -q '^Sig\(Cgt\|Ign\):.*[2367abef]..$' "/proc/$1/status" 2>/dev/null
+}
+
+# until both ranks of the job note signals
+wait_for_noting() {
+    noting=0
+    while [ "$noting" -lt 2 ] && kill -0 "$job" 2>/dev/null; do
+        noting=0
+        for rank in $(pgrep -P "$job"); do
+            notes_signals "$rank" && noting=$((noting + 1))
+        done
+    done
+}
+
 echo "stopped by signals, and nothing is lost"
 out="$folder/signalled"
 for signal in TERM USR1; do
     # it would take a minute
     begin 2 chart pair.toml --out "$out" --threads 1 $slow_plain --set run.duration=400
-    sleep 0.8
+    wait_for_noting
+    sleep 0.5
     kill -"$signal" "$job"
     wait_for_end
     kept=$(sed -n 's/^.*stopped with \([0-9]*\) of .*all of them are kept in .*$/\1/p' err.txt)
     [ -n "$kept" ] || fail "$signal (exit code $status): $(cat err.txt)"
     "$stridor" chart-status "$out" >status.txt || true
     grep -q "^$kept of " status.txt || fail "$kept cells were to be kept: $(cat status.txt)"
+done
+
+# begin_signalled: a job of two ranks gets SIGUSR1 once both note signals; sets `early`: whether it had no store by then
+begin_signalled() {
+    rm -rf "$out"
+    begin 2 chart pair.toml --out "$out" --threads 1 $slow_plain --set run.duration=400
+    wait_for_noting
+    [ -e "$out/chart.sqlite" ] && early=no || early=yes
+    kill -USR1 "$job"
+}
+
+echo "stopped by a signal that comes while MPI begins"
+out="$folder/early"
+early=no
+tries=0
+# a busy machine may look too late
+while [ "$early" = no ]; do
+    tries=$((tries + 1))
+    [ "$tries" -le 20 ] || fail "signals are noted only when the store is open"
+    begin_signalled
+    wait_for_end
+    grep -q 'stopped with [0-9]* of ' err.txt || fail "USR1 (exit code $status): $(cat err.txt)"
 done
 
 echo "what is wrong is said once, and by its exit code"

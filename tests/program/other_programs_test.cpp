@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -72,7 +73,7 @@ protected:
     /// What a script prints: lines of a key and words. `line` must stand in the page as it is.
     static std::map<std::string, std::vector<std::string>> read(const Reader& reader, const std::string& page,
                                                                 const std::string& line, const std::string& report) {
-        const std::string text = read_text(std::string(STRIDOR_SOURCE_DIR) + "/docs/formats/" + page);
+        const std::string text = read_text(std::filesystem::path(STRIDOR_SOURCE_DIR) / "docs/formats" / page);
         EXPECT_NE(text.find("`" + line + "`"), std::string::npos) << page << " does not say: " << line;
         const Finished finished = executed(reader, reader.needs + line + "\n" + report);
         EXPECT_EQ(finished.exit_code, 0) << finished.out << finished.err;

@@ -48,7 +48,16 @@ protected:
     // a share that is being filled
     std::unique_ptr<Process> at_work(const std::vector<std::string>& share) const {
         auto process = std::make_unique<Process>(Launch{share, folder_.path(), {}, std::nullopt, {}});
-        EXPECT_TRUE(wait_until([&] { return process->handles(SIGTERM); }));
+        // its signals are noted before it has claimed the store
+        const std::string claim = "process = " + std::to_string(process->id()) + "\n";
+        const auto is_claimed = [&] {
+            std::error_code missing;
+            for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "pair/shards", missing))
+                if (entry.path().extension() == ".owner" && read_text(entry.path()).find(claim) != std::string::npos)
+                    return true;
+            return false;
+        };
+        EXPECT_TRUE(wait_until([&] { return process->handles(SIGTERM) && is_claimed(); }));
         return process;
     }
 
@@ -95,6 +104,11 @@ TEST_F(SharesOfAChart, AreMergedIntoTheBytesOfASingleRun) {
     ASSERT_EQ(second.exit_code, 0) << second.err;
     EXPECT_NE(second.out.find("share 1/2 is done: 2560 cells"), std::string::npos) << second.out;
     EXPECT_NE(done(chart("pair", {"--shard", "1/2"})).out.find("share 1/2 is done: 0 cells"), std::string::npos);
+    const Finished unmerged = done({"chart", "pair/chart.toml", "--out", "pair"});
+    EXPECT_EQ(unmerged.exit_code, 2);
+    EXPECT_NE(unmerged.err.find("2560 cells of this chart are in shares that were not merged"), std::string::npos)
+        << unmerged.err;
+    EXPECT_NE(unmerged.err.find("stridor merge pair"), std::string::npos) << unmerged.err;
     const Finished merged = done({"merge", "pair"});
     EXPECT_EQ(merged.exit_code, 0) << merged.err;
     EXPECT_NE(merged.out.find("complete; to draw it: stridor chart pair/chart.toml --out pair"), std::string::npos);
@@ -171,6 +185,7 @@ TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
     EXPECT_NE(status.out.find("cells so far, filled by process "), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("1 of 2 shares"), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("  0/2: not begun, 2560 cells missing"), std::string::npos) << status.out;
+    EXPECT_EQ(done({"chart-status", "pair", "--lacking", "2"}).out, "0-1\n");
     const auto document = json_of(done({"chart-status", "pair", "--json"}).out);
     EXPECT_EQ(document["schema"], "stridor.chart-status/1");
     EXPECT_EQ(document["cells"]["known"], 5120);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 using nlohmann::json;
@@ -82,17 +83,25 @@ TEST(Simulate, DataGoesToStdoutAndMessagesToStderr) {
     EXPECT_NO_THROW(json_of(finished.out));
 }
 
+// what is left of the motion as the contact jams is no vibration
+TEST(Simulate, GivesNoLevelToAContactThatLocks) {
+    const Finished finished = run({"simulate", "-"}, {}, run({"init", "weatherstrip"}).out);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_NE(finished.out.find("all     locks"), std::string::npos) << finished.out;
+    EXPECT_EQ(finished.out.find(" dB\n"), std::string::npos) << finished.out;
+}
+
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
     for (const std::string kind :
          {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip", "weatherstrip-shaken",
           "glass-run", "clip", "wiper", "brake-pad", "two-lips", "chain", "string"})
-        EXPECT_EQ(stridor::support::read_text(std::string(STRIDOR_SOURCE_DIR) + "/cases/" + kind + ".toml"),
+        EXPECT_EQ(stridor::support::read_text(std::filesystem::path(STRIDOR_SOURCE_DIR) / "cases" / (kind + ".toml")),
                   run({"init", kind}).out)
             << kind;
 }
 
 TEST(Completion, ShippedScriptIsWhatTheProgramPrints) {
-    EXPECT_EQ(stridor::support::read_text(std::string(STRIDOR_SOURCE_DIR) + "/completions/stridor.bash"),
+    EXPECT_EQ(stridor::support::read_text(STRIDOR_SOURCE_DIR "/completions/stridor.bash"),
               run({"completion", "bash"}).out);
 }
 

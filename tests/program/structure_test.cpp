@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,15 @@ using stridor::support::ScratchFolder;
 
 namespace {
 
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream stream(path);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool contains(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+}
+
 const std::string block = STRIDOR_SOURCE_DIR "/tests/fixtures/structures/calculix/block.sti";
 
 TEST(Structure, CheckTellsFrequenciesAsJson) {
@@ -28,6 +39,34 @@ TEST(Structure, CheckTellsFrequenciesAsJson) {
     EXPECT_EQ(document["rigid_body_modes"], 0);
     EXPECT_NEAR(document["frequencies"][0].get<double>(), 616.90354105, 1e-7);
     EXPECT_EQ(document["sets"]["FOOT"].size(), 12U);
+}
+
+TEST(Structure, ShowsTheSlidingModesOfAllNodesThatMove) {
+    const ScratchFolder folder;
+    const auto reduced = [&](const char* set) {
+        return run({"structure", "reduce", block, "--boundary", "FOOT", "--modes", "12", "--normal", "3", "--recover",
+                    set, "-o", "block.nc"},
+                   folder.path());
+    };
+    ASSERT_EQ(reduced("NALL").exit_code, 0);
+    EXPECT_EQ(reduced("TOP").exit_code, 2) << "all of it is held";
+    std::ofstream(folder / "case.toml")
+        << "[structure]\nfile = \"block.nc\"\ndamping_ratio = 0.001\n[[structure.contact]]\nset = \"FOOT\"\n"
+           "normal = \"z\"\ntangent = \"x\"\n[contact]\npreload = \"5 N\"\nstatic_friction = 0.5\n"
+           "kinetic_friction = 0.4\n[drive]\nkind = \"constant\"\nvelocity = \"0.1 m/s\"\n"
+           "[run]\nduration = \"0.1 s\"\nwindow = \"0.05 s\"\n";
+    const std::string deck = STRIDOR_SOURCE_DIR "/tests/fixtures/structures/calculix/block.inp";
+    const Finished drawn =
+        run({"figure", "mode-shapes", "case.toml", "--mesh", deck, "-o", "modes.vtu"}, folder.path());
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_EQ(drawn.err, "") << "no element is left out";
+    const std::string text = text_of(folder / "modes.vtu");
+    EXPECT_TRUE(contains(text, "NumberOfPoints=\"60\" NumberOfCells=\"24\"")) << text.substr(0, 300);
+    EXPECT_TRUE(contains(text, "_Hz_imaginary\""));
+    const Finished listed = run({"stability", "case.toml", "--csv", "modes.csv"}, folder.path());
+    ASSERT_EQ(listed.exit_code, 0) << listed.err;
+    EXPECT_TRUE(contains(text_of(folder / "modes.csv"),
+                         "\ndirection,sliding,frequency [Hz],growth [1/s],damping_ratio,grows\n"));
 }
 
 TEST(Structure, ReducesAndReadsWhatItWrote) {

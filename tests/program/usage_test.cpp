@@ -189,9 +189,39 @@ TEST(Usage, AMisspeltCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
     expect_answer({"figure", "papr"}, "Did you mean paper?");
     expect_answer({"rig", "frictoin"}, "Did you mean friction?");
     expect_answer({"stability", "x.toml", "--ovr", "mu_d=0:1"}, "Did you mean --over?");
+    expect_answer({"run", "x.toml"}, "Did you mean simulate?");
+    expect_answer({"init", "seal"}, "did you mean weatherstrip?");
+    expect_answer({"x.toml"}, "Did you mean `stridor simulate x.toml`?");
+    expect_answer({"door.wav"}, "Did you mean `stridor classify door.wav`?");
+    expect_answer({"simulate", "x.toml", "--set", "velocity", "-1"}, "Write --set velocity=-1.");
+    expect_answer({"simulate", "x.toml", "--set", "velocity", "2"}, "Write --set velocity=2.");
     expect_answer({"library"}, "`stridor library` needs a command");
     expect_answer({"unheard"}, "`stridor --help` lists the commands");
     expect_answer({"check", "a.toml", "b.toml"}, "takes no \"b.toml\"");
+}
+
+TEST(Usage, ACaseInThePlaceOfARecordingIsToldWhatToDoWithIt) {
+    const ScratchFolder folder;
+    write_text(folder / "seal.toml", run({"init", "squeal"}).out);
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"classify", "seal.toml"}, {"analyse", "seal.toml"}}) {
+        const Finished finished = run(arguments, folder.path());
+        EXPECT_EQ(finished.exit_code, 2) << words(arguments);
+        EXPECT_TRUE(contains(finished.err, "`stridor simulate seal.toml`")) << finished.err;
+    }
+}
+
+// before anything is computed
+TEST(Usage, AFolderThatIsNotThereIsToldAtOnce) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"simulate", "not-there.toml", "--trace", "no/trace.csv"},
+                                               {"simulate", "not-there.toml", "--figure", "no/run.png"},
+                                               {"report", "not-there.toml", "-o", "no/report.pdf"},
+                                               {"listen", "not-there.toml", "-o", "no/sound.wav"}}) {
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, 5) << words(arguments);
+        EXPECT_TRUE(contains(finished.err, "Create the folder \"no\" first.")) << finished.err;
+    }
 }
 
 TEST(Usage, HelpAndVersionAreWhatOthersHave) {

@@ -5,11 +5,13 @@
 // environment:
 //   FAILING_BELOW   the folder; calls on anything else pass
 //   FAILING_AT      n, from 1
-//   FAILING_WITH the number of the error (errno); 0: the call writes half of what it was given; below 0:
-//   instead of the call the
-//                   process gets the signal of that number
+//   FAILING_WITH    the number of the error (errno); 0: the call writes half of what it was given; below 0: instead of
+//                   the call the process gets the signal of that number, and makes the call once SIGSTOP is over
 //   FAILING_TIMES   how many calls from the n-th on fail
 //   FAILING_REPORT  a file that gets a line for each call that failed ("rename /tmp/x/chart.csv")
+// A machine of its own, on a disk whose locks end at it:
+//   MACHINE_NAME    its name (gethostname)
+//   MACHINE_LOCKS   "none": every lock of a file is got
 // The calls themselves are made straight into the kernel, so that nothing is needed of the library that this hides. A
 // full disk spares what needs no room (ENOSPC: opening what is there, removing, closing). Programs that this one
 // starts are spared.
@@ -17,6 +19,7 @@
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -36,6 +39,8 @@ struct Settings {
     long at = 0;
     long times = 1;
     int error = 0;
+    char machine[256] = "";
+    bool has_locks = true;
 };
 
 Settings settings;
@@ -52,6 +57,8 @@ __attribute__((constructor)) void begin() {
     settings.at = std::atol(text_of("FAILING_AT"));
     settings.times = std::atol(text_of("FAILING_TIMES"));
     settings.error = std::atoi(text_of("FAILING_WITH"));
+    std::snprintf(settings.machine, sizeof settings.machine, "%s", text_of("MACHINE_NAME"));
+    settings.has_locks = std::strcmp(text_of("MACHINE_LOCKS"), "none") != 0;
     unsetenv("LD_PRELOAD");
 }
 
@@ -107,7 +114,12 @@ bool fails(const char* call, int folder, const char* name, Needs needs, Gives gi
     const long number = ++calls;
     if (number < settings.at || number - settings.at >= settings.times) return false;
     report(call, path);
-    if (settings.error < 0) kill(getpid(), -settings.error);
+    // this thread, so that it stops here
+    if (settings.error < 0) syscall(SYS_tgkill, getpid(), syscall(SYS_gettid), -settings.error);
+    if (settings.error == -SIGSTOP) {
+        errno = before;
+        return false;
+    }
     errno = settings.error == 0 ? before : settings.error;
     return true;
 }
@@ -239,6 +251,32 @@ int unlinkat(int folder, const char* path, int flags) {
 
 int unlink(const char* path) {
     return unlinkat(AT_FDCWD, path, 0);
+}
+
+int fcntl64(int file, int command, ...) {
+    va_list list;
+    va_start(list, command);
+    void* const argument = va_arg(list, void*);
+    va_end(list);
+    const bool is_lock = command == F_SETLK || command == F_SETLKW || command == F_OFD_SETLK || command == F_OFD_SETLKW;
+    if (!settings.has_locks && is_lock) return 0;
+    const long result = syscall(SYS_fcntl, file, command, argument);
+    const bool is_question = command == F_GETLK || command == F_OFD_GETLK;
+    if (!settings.has_locks && is_question && result == 0) static_cast<struct flock*>(argument)->l_type = F_UNLCK;
+    return static_cast<int>(result);
+}
+
+int fcntl(int file, int command, ...) __attribute__((alias("fcntl64")));
+
+int gethostname(char* name, std::size_t size) {
+    if (settings.machine[0] == '\0') {
+        utsname names{};
+        if (uname(&names) != 0) return -1;
+        std::snprintf(name, size, "%s", names.nodename);
+        return 0;
+    }
+    std::snprintf(name, size, "%s", settings.machine);
+    return 0;
 }
 
 int mkdir(const char* path, mode_t mode) {

@@ -5,6 +5,7 @@
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
+#include "support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,10 @@ struct Watched {
     double duration = 2.0;  // [s]
     double window = 1.0;    // [s]
 };
+
+/// The strip of rubber never repeats: its shares are means, which scatter less the longer it is watched.
+inline constexpr Watched strip_watched{effort(1.1, 0.3), effort(1.0, 0.2)};
+inline constexpr double strip_scatter = effort(0.003, 0.03);  // [1] of its mean shares
 
 inline parameters::Case watched_case(double velocity, const Watched& watched) {
     parameters::Case c;

@@ -121,6 +121,16 @@ bool Process::is_running() {
     return !is_done_;
 }
 
+bool Process::is_stopped() const {
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(id_) + "/task")) {
+        const std::string stat = read_text(thread.path() / "stat");
+        // "12 (stridor) T ...": the name may hold anything
+        const std::size_t name = stat.rfind(") ");
+        if (name == std::string::npos || stat[name + 2] != 'T') return false;
+    }
+    return true;
+}
+
 bool Process::ends_within(std::chrono::duration<double> limit) {
     return wait_until([&] { return !is_running(); }, std::chrono::duration_cast<std::chrono::milliseconds>(limit));
 }

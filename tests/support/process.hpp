@@ -39,8 +39,11 @@ public:
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
+    pid_t id() const { return id_; }
     void send(int signal) const;
     bool is_running();
+    /// Does it stand still (SIGSTOP), with all its threads?
+    bool is_stopped() const;
     /// Waits for its end, at most so long: a kill later than that falls into its work.
     bool ends_within(std::chrono::duration<double> limit);
     /// Has it come to where it handles the signal itself?

@@ -4,6 +4,8 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/moreau/moreau_twice.hpp"
+#include "stridor/model/modal_damping.hpp"
+#include "support/effort.hpp"
 #include "support/many_contacts.hpp"
 #include "support/structures/blocks_on_plane.hpp"
 #include "support/structures/rubber_strip.hpp"
@@ -88,23 +90,48 @@ TEST(Massless, ConvergesInSecondOrderWhereNothingChanges) {
     }
 }
 
+// a body of 0.1 kg on oblique springs slides on a foot without mass, however stiff: when its vibration has died away,
+// to 1e-5 at half of the run where the foot has 1e6 N/m, n.K^-1 (f0 + N (n + mu t)) = 0, and N swings no more
+TEST(Massless, NormalForceOfSteadySlidingDoesNotSwing) {
+    for (const double foot : {1e4, 1e6, 1e8}) {
+        model::Structure body = model::structure_of_size(4);
+        body.mass(0, 0) = body.mass(1, 1) = 0.1;
+        body.stiffness << 1e5 + foot, 3e4, -foot, 0, 3e4, 1.3e5 + foot, 0, -foot, -foot, 0, foot, 0, 0, -foot, 0, foot;
+        body.damping = model::modal_damping(body.mass, body.stiffness, 0.05);
+        body.load(3) = -5.0;
+        body.contacts.front().normal << 0.0, 0.0, 0.0, 1.0;
+        body.contacts.front().tangent << 0.0, 0.0, 1.0, 0.0;
+        body.contacts.front().friction = model::Coulomb{0.6, 0.6};
+        const Eigen::VectorXd normal = body.contacts.front().normal;
+        const Eigen::VectorXd pushes = normal + 0.6 * body.contacts.front().tangent;
+        const auto solver = body.stiffness.ldlt();
+        const double steady = -normal.dot(solver.solve(body.load)) / normal.dot(solver.solve(pushes));
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(4);
+        const Motion motion = run_massless(body, 0.1, {zero, zero}, {1e-5}, {1.0, 0.5}, 1e-4);
+        ASSERT_EQ(motion.outcome.reason, Reason::completed) << foot;
+        const record::Trace& trace = motion.record.trace;
+        for (std::size_t n = trace.time.size() / 2; n < trace.time.size(); ++n)
+            ASSERT_NEAR(trace.contacts[0].normal_force[n], steady, 1e-3 * steady) << foot << " " << trace.time[n];
+    }
+}
+
 // the residual flexibility and the modes that are left make the statics of the whole structure
 TEST(Massless, KeepsTheStaticsOfTheStructure) {
-    const model::Structure blocks = support::coupled_blocks({0.0, 0.5, 1.0});
-    model::Structure bent = blocks;
-    for (model::ContactPoint& contact : bent.contacts)
-        contact.second_tangent = {};
-    const integration::MasslessStructure massless = integration::massless_structure(bent, 0.0);
-    EXPECT_EQ(massless.modal.modes(), 3U);
-    Eigen::MatrixXd directions(9, 6), kept(6, 3);
-    for (Eigen::Index row = 0; row < 6; ++row) {
-        const model::ContactPoint& contact = bent.contacts[massless.modal.number[static_cast<std::size_t>(row / 2)]];
+    const model::Structure strip =
+        support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt").structure;
+    const integration::MasslessStructure massless = integration::massless_structure(strip, 0.0);
+    const auto modes = static_cast<Eigen::Index>(massless.modal.modes());
+    EXPECT_GE(modes, 10);
+    EXPECT_LT(modes, 40);
+    Eigen::MatrixXd directions(40, 10), kept(10, modes);
+    for (Eigen::Index row = 0; row < 10; ++row) {
+        const model::ContactPoint& contact = strip.contacts[massless.modal.number[static_cast<std::size_t>(row / 2)]];
         directions.col(row) = row % 2 == 0 ? contact.normal : contact.tangent;
         kept.row(row) = directions.col(row).transpose() * massless.modal.shapes;
     }
-    const Eigen::Map<const Eigen::VectorXd> square(massless.modal.square_frequency.data(), 3);
+    const Eigen::Map<const Eigen::VectorXd> square(massless.modal.square_frequency.data(), modes);
     const Eigen::MatrixXd sum = kept * square.cwiseInverse().asDiagonal() * kept.transpose() + massless.flexibility;
-    const Eigen::MatrixXd whole = directions.transpose() * bent.stiffness.ldlt().solve(directions);
+    const Eigen::MatrixXd whole = directions.transpose() * strip.stiffness.ldlt().solve(directions);
     EXPECT_LT((sum - whole).cwiseAbs().maxCoeff(), 1e-12 * whole.cwiseAbs().maxCoeff());
 }
 
@@ -113,7 +140,7 @@ TEST(Massless, SharesOfTheStripOfRubberAreThoseWithInertia) {
     support::RubberStrip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
     for (model::ContactPoint& contact : strip.structure.contacts)
         contact.friction = model::Coulomb{0.5, 0.5};
-    const support::Watched watched{0.4, 0.3};
+    const support::Watched watched{support::effort(0.4, 0.15), support::effort(0.3, 0.1)};
     const auto mean_stick = [](const Motion& motion) {
         EXPECT_EQ(motion.outcome.reason, Reason::completed);
         double stick = 0.0;
@@ -192,6 +219,17 @@ std::string massless_refusal(const model::Structure& structure, const Massless& 
     return "";
 }
 
+// without damping of what has no mass
+TEST(Massless, DampsTheModesOfRowsWithMass) {
+    model::Structure held = mass_with_foot();
+    held.stiffness(1, 1) = 1200.0;  // its foot by 400 N/m: one mode
+    const Eigen::MatrixXd damping = model::modal_damping(held.mass, held.stiffness, 0.1);
+    Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(3, 3);
+    // 800 and 400 N/m in series hold 2 kg
+    wanted(0, 0) = 2.0 * 0.1 * std::sqrt(2.0 * 800.0 * 400.0 / 1200.0);
+    EXPECT_LT((damping - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted(0, 0));
+}
+
 TEST(Massless, RefusesWhatItCannotSolve) {
     model::Structure damped = mass_with_foot();
     damped.damping(1, 1) = 1.0;
@@ -204,6 +242,12 @@ TEST(Massless, RefusesWhatItCannotSolve) {
     EXPECT_EQ(massless_refusal(strip.structure, {1e-6, 1e9}),
               "too few modes move without inertia to carry the contacts");
     EXPECT_EQ(massless_refusal(strip.structure, {1e-6, 1e-3}), "no mode is left with inertia");
+    // contacts that are springs of 200 kHz
+    EXPECT_EQ(massless_refusal(strip.structure, {1e-6, 3600.0}), "the modes without inertia do not carry the contacts");
+    // the mass of a joint stands at its contact
+    for (const double angle : {60.0, 70.0, 110.0})
+        EXPECT_EQ(massless_refusal(support::plate_of({support::plate_joint(100.0, 0.5, angle)}), {}),
+                  "no number of modes without inertia carries the contacts");
     const Motion coarse = run_massless(strip.structure, strip.velocity, strip.start, {1.0}, {10.0, 10.0});
     EXPECT_EQ(coarse.outcome.reason, Reason::step_limit);
 }

@@ -1,6 +1,7 @@
 // Moreau's time stepping: against the Taylor engine, against the same scheme of a prototype written apart from it
 // (Gauss-Seidel instead of exchanges), and against invariances.
 
+#include "support/effort.hpp"
 #include "support/many_contacts.hpp"
 #include "support/structures/rubber_strip.hpp"
 
@@ -56,12 +57,14 @@ void expect_sticks(const Motion& motion, const std::vector<double>& wanted, doub
 TEST(Moreau, HasTheSharesOfThePrototypeForOneContact) {
     const model::Structure one = plate_of({plate_joint(200.0, 0.2)});
     expect_sticks(run_moreau(one, -0.1, Initial::stuck, 4e-6), {0.299932}, 1e-6);
+    if (support::is_checked_build) return;
     expect_sticks(run_moreau(one, -0.1, Initial::stuck, 1e-6), {0.297350}, 1e-6);
     expect_sticks(run_moreau(one, -0.1, Initial::stuck, 2.5e-7), {0.296954}, 1e-6);
 }
 
 TEST(Moreau, HasTheSharesOfThePrototypeForTwoJoints) {
     expect_sticks(run_moreau(of_unequal_angles(), -0.1, Initial::stuck, 1e-6), {0.521144, 0.424688}, 1e-6);
+    if (support::is_checked_build) return;
     expect_sticks(run_moreau(of_unequal_angles(), -0.1, Initial::stuck, 2.5e-7), {0.521012, 0.424498}, 1e-6);
     const Motion piled = run_moreau(with_pile_ups(), 0.1, Initial::stuck, 1e-6);
     expect_sticks(piled, {0.424970, 0.116677}, 1e-6);
@@ -75,13 +78,13 @@ TEST(Moreau, HasTheSharesOfThePrototypeForTwoJoints) {
 TEST(Moreau, HasTheMeanSharesOfTheStripOfRubber) {
     const support::RubberStrip strip =
         support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
-    const Motion motion = run_moreau(strip.structure, strip.velocity, strip.start, 1e-6, {1.1, 1.0});
+    const Motion motion = run_moreau(strip.structure, strip.velocity, strip.start, 1e-6, support::strip_watched);
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
     double mean[3]{};
     for (const auto& contact : shares(motion))
         for (std::size_t state = 0; state < 3; ++state)
             mean[state] += contact[state] / 5.0;
-    EXPECT_NEAR(mean[stick_share], 0.8339, 0.003);
+    EXPECT_NEAR(mean[stick_share], 0.8339, support::strip_scatter);
     EXPECT_NEAR(mean[open_share], 0.0, 1e-4);
 }
 

@@ -16,6 +16,7 @@
 #include "support/many_contacts.hpp"
 #include "support/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -150,7 +151,8 @@ std::string strip_case(const Strip& strip, const support::ScratchFolder& folder)
         "contacts = \"contacts.csv\"\nload = [" +
             joined(strip.load, 0, 1, rows, ", ") + "]\ninitial_velocity = [" + joined(velocity, 0, 1, rows, ", ") +
             "]\n[contact]\n[drive]\nkind = \"constant\"\nvelocity = " + joined(strip.laws, 3 * contacts, 1, 1, "") +
-            "\n[run]\nduration = 1.1\nwindow = 1.0\n");
+            fmt::format("\n[run]\nduration = {}\nwindow = {}\n", support::strip_watched.duration,
+                        support::strip_watched.window));
     return path;
 }
 
@@ -167,8 +169,8 @@ TEST(OwnStructure, StripOfRubberHasTheMeanSharesOfThePrototype) {
     for (const auto& contact : support::shares(motion))
         for (std::size_t state = 0; state < 3; ++state)
             mean[state] += contact[state] / 5.0;
-    EXPECT_NEAR(mean[1], 0.8335, 0.003);
-    EXPECT_NEAR(mean[0], 0.1665, 0.003);
+    EXPECT_NEAR(mean[1], 0.8335, support::strip_scatter);
+    EXPECT_NEAR(mean[0], 0.1665, support::strip_scatter);
     EXPECT_NEAR(mean[2], 0.0, 1e-4);
 }
 

@@ -6,11 +6,13 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/model/built/bowed_string.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "support/effort.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace stridor {
 namespace {
@@ -55,7 +57,9 @@ TEST_P(Schelleng, LowerLimitIsNecessary) {
     EXPECT_FALSE(is_helmholtz_motion(violin_string(), position, limit));
 }
 
-INSTANTIATE_TEST_SUITE_P(BowPositions, Schelleng, testing::Values(0.0253, 0.0451, 0.0801, 0.1425));
+INSTANTIATE_TEST_SUITE_P(BowPositions, Schelleng,
+                         testing::ValuesIn(support::effort(std::vector{0.0253, 0.0451, 0.0801, 0.1425},
+                                                           std::vector{0.1425})));
 
 }  // namespace
 }  // namespace stridor

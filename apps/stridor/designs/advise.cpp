@@ -23,6 +23,7 @@ namespace {
 
 struct AdviseCommand {
     CaseOptions input;
+    RunsOptions runs;
     std::vector<std::string> over;        // "key", "key=from:to"
     std::vector<std::string> tolerances;  // "key=10%", "key=2 N normal"
     std::size_t samples = advice::ChanceOptions{}.samples;
@@ -44,6 +45,7 @@ advice::AdviceOptions advice_options(const parameters::Case& c, const AdviseComm
         options.over.push_back(io::read_asked_range(c, text));
     for (const std::string& text : command.tolerances)
         options.tolerances.push_back(io::read_asked_tolerance(c, text));
+    options.runs = io::read_asked_runs(command.runs.directions, command.runs.starts);
     options.chance = {command.samples, command.seed};
     options.crew = crews(command.threads);
     return options;
@@ -62,7 +64,8 @@ advice::Advice advice_on(const parameters::Case& c, advice::AdviceOptions option
 void advise(const AdviseCommand& command) {
     const parameters::Case c = load_case(command.input);
     const advice::AdviceOptions options = advice_options(c, command);
-    if (only_helps()) return help_with(advice::work_of(advice::design_space(c, options.over)), command.threads);
+    if (only_helps())
+        return help_with(advice::work_of(advice::design_space(c, options.over, options.runs)), command.threads);
     const advice::Advice advice = advice_on(c, options);
     console::print(command.json ? io::advice_json(advice) + "\n" : console::advice_text(advice));
     if (command.json || !console::has_terminal() || !advice.recommended) return;
@@ -89,13 +92,15 @@ void add_advise(CLI::App& program) {
     advise_command
         ->add_option(
             "--tolerance", command->tolerances,
-            "chance of noise if a quantity lies within +-AMOUNT: preload=10%, \"mu_d=0.05 normal\" (repeatable)")
+            "chance of noise if a quantity lies within +-AMOUNT: preload=10%, \"mu_d=0.05 normal\" (repeatable); "
+            "without it, of a quiet design, within the usual tolerances of parts")
         ->type_name("KEY=AMOUNT")
         ->allow_extra_args(false);
     advise_command->add_option("--samples", command->samples, "designs sampled within the tolerances")
         ->check(CLI::Range(std::size_t{1}, advice::most_samples))
         ->capture_default_str();
     advise_command->add_option("--seed", command->seed, "of the random shifts of the samples")->capture_default_str();
+    add_runs_options(*advise_command, command->runs);
     add_threads_option(*advise_command, command->threads);
     add_json_option(*advise_command, command->json, "stridor.advice/1");
     advise_command->footer(

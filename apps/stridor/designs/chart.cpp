@@ -37,15 +37,16 @@ struct ChartOptions {
     bool preview = false;
     std::string share;
     SlurmOptions slurm;
+    pictures::Sheet sheet;
 };
 
 void write_diagram(const sweep::SweepResult& result, const std::filesystem::path& out, const io::ChartExports& exports,
-                   int threads) {
-    const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", threads);
+                   const ChartOptions& options) {
+    const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
     if (io::holds(exports, io::ChartFile::csv))
         storage::write_file((out / "diagram.csv").string(), io::diagram_csv(result.study, cells));
     if (const std::vector<std::string> endings = io::picture_endings(exports); !endings.empty())
-        pictures::draw_diagram(result, cells, out, endings);
+        pictures::draw_diagram(result, cells, out, endings, options.sheet);
 }
 
 void chart(const ChartOptions& options) {
@@ -64,6 +65,7 @@ void chart(const ChartOptions& options) {
     storage::make_folder(out, "Choose another --out.");
     if (options.slurm.shares > 0) return print_slurm_script(study, out, options.slurm, options.threads);
     if (!options.share.empty()) return compute_share(study, out, options.share, options.threads);
+    expect_merged(study, out);
     // in a new folder it stands there from the start, for who asks how far the chart is
     const std::filesystem::path chart_file = out / "chart.toml";
     if (!std::filesystem::exists(chart_file)) storage::write_file(chart_file.string(), io::study_toml(study));
@@ -73,12 +75,13 @@ void chart(const ChartOptions& options) {
     if (const std::string failures = console::failures_text(result, chart_file.string()); !failures.empty())
         console::say(failures);
     sweep::require_result(result);
-    io::write_chart_tables(result, out, exports);
+    // the pictures first: they are there whatever becomes of a table
     const std::vector<std::string> endings = io::picture_endings(exports);
     if (!sweep::has_one_axis(study))
-        pictures::draw_charts(result, out, endings);
+        pictures::draw_charts(result, out, endings, options.sheet);
     else if (!endings.empty() || io::holds(exports, io::ChartFile::csv))
-        write_diagram(result, out, exports, options.threads);
+        write_diagram(result, out, exports, options);
+    io::write_chart_tables(result, out, exports);
     if (!sweep::holds_design(study)) console::say(console::outside_text(study));
     if (options.json) {
         console::print(io::chart_json(result) + "\n");
@@ -146,6 +149,9 @@ void add_chart(CLI::App& program) {
                              ->check(CLI::Range(std::size_t{1}, sweep::most_shares))
                              ->excludes(json)
                              ->excludes(share);
+    add_sheet_options(*command, options->sheet);
+    for (const char* drawn_last : {"--title", "--width"})
+        command->get_option(drawn_last)->excludes(share)->excludes(slurm);
     command->add_option("--time", options->slurm.time, "limit of time of each of its tasks, as Slurm writes it")
         ->type_name("TIME")
         ->needs(slurm);

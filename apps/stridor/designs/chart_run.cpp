@@ -1,7 +1,6 @@
 #include "designs/chart_run.hpp"
 
 #include "crews.hpp"
-#include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/sweep/run.hpp"
@@ -9,10 +8,23 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 namespace stridor::app {
 
-sweep::RunReport fill(const sweep::Study& study, sweep::CellKeeper& keeper, sweep::RunOptions options) {
-    const Interrupt interrupt;
+namespace {
+
+// who stands still may have it open, too; what it keeps is soon computed again
+void forget(const std::filesystem::path& kept) {
+    std::error_code stays;
+    for (const char* ending : {"", "-journal"})
+        std::filesystem::remove(kept.string() + ending, stays);
+}
+
+}  // namespace
+
+sweep::RunReport fill(const sweep::Study& study, sweep::CellKeeper& keeper, sweep::RunOptions options,
+                      const Interrupt& interrupt) {
     console::ProgressDisplay display;
     options.stop = interrupt.token();
     options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
@@ -34,12 +46,17 @@ void say_takeover(const sweep::Store& store) {
 }
 
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads) {
-    const auto store = std::make_shared<sweep::Store>(store_file, study);
-    say_takeover(*store);
-    sweep::RunOptions options;
-    options.crew = crews(threads);
-    const sweep::RunReport report = fill(study, *store, options);
-    if (report.ending == sweep::SweepEnding::stopped) throw stopped(report, store_file);
+    std::shared_ptr<sweep::Store> store;
+    {
+        const Interrupt interrupt;
+        store = std::make_shared<sweep::Store>(store_file, study, sweep::StoreUse::fill, waiting(interrupt.token()));
+        say_takeover(*store);
+        if (store->was_handed_over()) forget(store_file.parent_path() / "diagram.sqlite");
+        sweep::RunOptions options;
+        options.crew = crews(threads);
+        const sweep::RunReport report = fill(study, *store, options, interrupt);
+        if (report.ending == sweep::SweepEnding::stopped) throw stopped(report, store_file);
+    }
     return sweep::load(study, store);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/diagram.hpp"
@@ -18,7 +19,8 @@ namespace stridor::app {
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads);
 
 /// Runs a sweep with progress on stderr, until SIGINT or SIGTERM stops it. Its options' stop and progress are set here.
-sweep::RunReport fill(const sweep::Study& study, sweep::CellKeeper& keeper, sweep::RunOptions options);
+sweep::RunReport fill(const sweep::Study& study, sweep::CellKeeper& keeper, sweep::RunOptions options,
+                      const Interrupt& interrupt);
 
 /// The error (interrupted) of a sweep that was stopped: how far it came, and how to go on.
 Error stopped(const sweep::RunReport& report, const std::filesystem::path& store_file);

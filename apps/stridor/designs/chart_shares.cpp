@@ -59,6 +59,7 @@ void merge_command(const std::string& folder) {
     console::ShareDisplay display("merged:", console::TimeLeft::shown);
     sweep::MergeOptions options;
     options.stop = interrupt.token();
+    options.wait = waiting(interrupt.token());
     options.progress = [&](double share) { display.show(share); };
     const sweep::MergeReport report = sweep::merge(study, folder, options);
     const std::string merged = (fs::path(folder) / "chart.sqlite").string();
@@ -75,24 +76,47 @@ void merge_command(const std::string& folder) {
                  "Run the shares again, then the merge; or: stridor chart " + folder + "/chart.toml --out " + folder});
 }
 
-void chart_status(const std::string& folder, bool is_json) {
-    const sweep::Study study = io::read_study((fs::path(folder) / "chart.toml").string());
-    const sweep::ChartState state = sweep::chart_state(study, folder);
-    console::print(is_json ? io::status_json(study, state) + "\n" : io::status_text(study, state));
+struct StatusOptions {
+    std::string folder;
+    bool json = false;
+    std::size_t lacking = 0;  // [1] shares; 0: all is told
+};
+
+void chart_status(const StatusOptions& options) {
+    const sweep::Study study = io::read_study((fs::path(options.folder) / "chart.toml").string());
+    const sweep::ChartState state = sweep::chart_state(study, options.folder);
+    if (options.lacking > 0) {
+        const std::string lacking = io::lacking_text(state, options.lacking);
+        console::print(lacking.empty() ? "" : lacking + "\n");
+        return;
+    }
+    console::print(options.json ? io::status_json(study, state) + "\n" : io::status_text(study, state));
 }
 
 }  // namespace
+
+void expect_merged(const sweep::Study& study, const fs::path& folder) {
+    if (!fs::exists(sweep::shares_folder(folder))) return;
+    const sweep::ChartState state = sweep::chart_state(study, folder);
+    const std::size_t apart = state.done - std::min(state.done, state.chart.cells);
+    if (apart > 0)
+        throw Error(ErrorKind::input,
+                    {fmt::format("{} cells of this chart are in shares that were not merged", apart),
+                     "they would all be computed anew",
+                     fmt::format("Join them first: stridor merge {}. Or choose another --out.", folder.string())});
+}
 
 void compute_share(const sweep::Study& study, const fs::path& folder, const std::string& text, int threads) {
     const sweep::Share share = share_named(text);
     keep_chart_file(study, folder);
     const fs::path file = sweep::share_file(folder, share);
-    sweep::ShareKeeper keeper(file, folder / "chart.sqlite", study);
+    const Interrupt interrupt;
+    sweep::ShareKeeper keeper(file, folder / "chart.sqlite", study, waiting(interrupt.token()));
     say_takeover(keeper.own());
     sweep::RunOptions options;
     options.crew = crews(threads);
     options.share = share;
-    const sweep::RunReport report = fill(study, keeper, options);
+    const sweep::RunReport report = fill(study, keeper, options, interrupt);
     if (report.ending == sweep::SweepEnding::stopped) throw stopped(report, file);
     console::print(
         fmt::format("share {} is done: {} cells computed into {}\n", text_of(share), report.computed, file.string()));
@@ -126,14 +150,20 @@ void add_merge(CLI::App& program) {
 }
 
 void add_chart_status(CLI::App& program) {
-    auto folder = std::make_shared<std::string>();
-    auto is_json = std::make_shared<bool>(false);
+    auto options = std::make_shared<StatusOptions>();
     CLI::App* command = program.add_subcommand(
         "chart-status", "How far a chart is, and who computes which part of it; it may be asked at any time.");
-    command->add_option("folder", *folder, "folder of the chart: its --out")->type_name("DIR")->required();
-    add_json_option(*command, *is_json, "stridor.chart-status/1");
-    command->footer("Example:\n  stridor chart-status pair");
-    command->callback([folder, is_json] { chart_status(*folder, *is_json); });
+    command->add_option("folder", options->folder, "folder of the chart: its --out")->type_name("DIR")->required();
+    CLI::Option* json = add_json_option(*command, options->json, "stridor.chart-status/1");
+    command
+        ->add_option("--lacking", options->lacking,
+                     "only the numbers of those of so many shares that lack cells, as sbatch's --array takes them: "
+                     "0,3,7-9")
+        ->type_name("SHARES")
+        ->check(CLI::Range(std::size_t{1}, sweep::most_shares))
+        ->excludes(json);
+    command->footer("Examples:\n  stridor chart-status pair\n  stridor chart-status pair --lacking 16");
+    command->callback([options] { chart_status(*options); });
 }
 
 }  // namespace stridor::app

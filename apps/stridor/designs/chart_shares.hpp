@@ -13,6 +13,10 @@ namespace stridor::app {
 void compute_share(const sweep::Study& study, const std::filesystem::path& folder, const std::string& share,
                    int threads);
 
+/// Throws `Error` (input) where shares of the chart in this folder hold cells that its own store lacks: they would be
+/// computed anew.
+void expect_merged(const sweep::Study& study, const std::filesystem::path& folder);
+
 /// How a chart is computed by Slurm.
 struct SlurmOptions {
     std::size_t shares = 0;  // 0: it is not

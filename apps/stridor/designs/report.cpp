@@ -4,21 +4,22 @@
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
+#include "stridor/base/quantity.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/io/advice/asked_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/axis_text.hpp"
 #include "stridor/report/design_report.hpp"
 #include "stridor/report/pdf.hpp"
 #include "stridor/report/report_chart.hpp"
-#include "stridor/report/timed_advice.hpp"
+#include "stridor/report/timed_parts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -26,11 +27,13 @@ namespace stridor::app {
 
 namespace {
 
-constexpr std::chrono::seconds longest_advice{60};
-
 struct ReportOptions {
     CaseOptions input;
+    RunsOptions runs;
     std::string output;
+    std::string author;
+    std::string part;
+    std::string longest = "60 s";
     io::AxisTexts axes;
     int points = 24;
     int threads = 0;
@@ -38,22 +41,32 @@ struct ReportOptions {
     bool has_advice = true;
 };
 
-void add_advice(report::DesignResults& results, const ReportOptions& options, const std::stop_token& asked) {
-    console::ShareDisplay display("advice:", console::TimeLeft::shown);
-    advice::AdviceOptions advice;
-    advice.crew = crews(options.threads);
-    advice.stop = asked;
-    advice.progress = [&](const advice::AdviceProgress& progress) { display.show(progress.share); };
-    report::add_advice(results, advice, longest_advice);
-}
+// how far a part is, for who looks on; a log needs no lines of it, since no part takes long
+class PartDisplay {
+public:
+    explicit PartDisplay(const std::string& part) : display_(part, console::TimeLeft::shown) { show(0.0); }
+    void show(double share) {
+        if (console::has_terminal()) display_.show(share);
+    }
+
+private:
+    console::ShareDisplay display_;
+};
 
 std::string command_of(const ReportOptions& options, const std::string& output) {
     std::string text = "stridor report " + base::shell_word(options.input.file);
     for (const std::string& item : options.input.overrides)
         text += " --set " + base::shell_word(item);
+    if (!options.author.empty()) text += " --author " + base::shell_word(options.author);
+    if (!options.part.empty()) text += " --part " + base::shell_word(options.part);
     if (!options.axes.x.empty()) text += " --x " + base::shell_word(options.axes.x);
     if (!options.axes.y.empty()) text += " --y " + base::shell_word(options.axes.y);
     if (options.points != ReportOptions{}.points) text += fmt::format(" --points {}", options.points);
+    for (const std::string& direction : options.runs.directions)
+        text += " --direction " + direction;
+    for (const std::string& start : options.runs.starts)
+        text += " --start " + start;
+    if (options.longest != ReportOptions{}.longest) text += " --longest " + base::shell_word(options.longest);
     if (!options.has_chart) text += " --no-chart";
     if (!options.has_advice) text += " --no-advice";
     return text + " -o " + base::shell_word(output);
@@ -71,21 +84,68 @@ std::string output_of(const ReportOptions& options) {
     return options.output;
 }
 
+report::DesignResults results_of(const io::TomlSource& source, const parameters::Case& c,
+                                 const ReportOptions& options) {
+    const Interrupt interrupt;
+    advice::AdviceOptions asked;
+    asked.runs = io::read_asked_runs(options.runs.directions, options.runs.starts);
+    asked.crew = crews(options.threads);
+    asked.stop = interrupt.token();
+    std::optional<sweep::Study> study;
+    if (options.has_chart && c.contact.static_friction > 0.0)
+        study = report::chart_to_report(source, c, options.axes, options.points, asked.runs);
+    const report::PartTime longest(base::parse_quantity(options.longest, "s"));
+    report::DesignResults results;
+    {
+        const PartDisplay display("verdict:");
+        results = report::basic_results(c, asked);
+    }
+    {
+        const PartDisplay display("sounds:");
+        report::add_sounds(results, asked.stop, longest);
+    }
+    if (study) {
+        PartDisplay display("chart:");
+        sweep::RunOptions charting;
+        charting.crew = crew::thread_crews(options.threads);
+        charting.stop = asked.stop;
+        charting.progress = [&](const sweep::Progress& progress) {
+            display.show(static_cast<double>(progress.done) / static_cast<double>(progress.total));
+        };
+        report::add_chart(results, *study, charting, longest);
+    }
+    if (options.has_advice) {
+        PartDisplay display("what to change:");
+        asked.progress = [&](const advice::AdviceProgress& progress) { display.show(progress.share); };
+        report::add_advice(results, asked, longest);
+    }
+    for (const std::string* left_out : {&results.without_sound, &results.about_chart, &results.without_advice})
+        if (!left_out->empty()) console::say_note(*left_out);
+    return results;
+}
+
+// as asked for, else as the file has it
+std::string document_text(const io::TomlSource& source, const char* key, const std::string& asked) {
+    const io::TomlDocument document = io::parse_toml(source);
+    const io::TomlEntry* entry = asked.empty() ? document.find(key) : nullptr;
+    return entry == nullptr ? asked : std::get<std::string>(entry->value);
+}
+
 void make_report(const ReportOptions& options) {
     const std::string output = output_of(options);
     const bool is_pdf = output.ends_with(".pdf");
     if (is_pdf) report::expect_printer();
     const io::TomlSource source = io::load_toml(options.input.file, options.input.overrides);
     const parameters::Case c = io::read_case(source);
-    const bool has_chart = options.has_chart && c.contact.static_friction > 0.0;
-    std::optional<sweep::Study> study;
-    if (has_chart) study = report::chart_to_report(source, c, options.axes, options.points);
-    const Interrupt interrupt;
-    report::DesignResults results = report::basic_results(c, interrupt.token());
+    const std::string date = report::report_date();
+    report::DesignResults results = results_of(source, c, options);
+    results.file = options.input.file == "-" ? "" : std::filesystem::path(options.input.file).filename().string();
+    results.date = date;
+    results.author = document_text(source, "document.author", options.author);
+    results.part = document_text(source, "document.part", options.part);
     results.command = command_of(options, output);
-    if (study) results.chart = report::chart_in_memory(*study, options.threads, interrupt.token());
-    if (options.has_advice) add_advice(results, options, interrupt.token());
     const std::string page = report::html(report::design_report(results));
+    const PartDisplay display("pages:");
     console::write_output(output, is_pdf ? report::printed_pdf(page) : page);
     if (output != "-") console::print(output + "\n");
 }
@@ -94,14 +154,15 @@ void make_report(const ReportOptions& options) {
 
 void add_report(CLI::App& program) {
     auto options = std::make_shared<ReportOptions>();
-    CLI::App* command = program.add_subcommand(
-        "report", "One page on a design: verdict, sound, chart, what to change, the case itself; HTML or PDF.");
+    CLI::App* command =
+        program.add_subcommand("report", "A page on a design to hand over, and the details behind it; HTML or PDF.");
     add_case_options(*command, options->input);
     add_no_early_option(*command, options->input);
     command
         ->add_option("-o,--output", options->output,
                      "FILE.html or FILE.pdf, - for stdout (default: the case's name with -report.html)")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(in_a_folder());
     command
         ->add_option("--x", options->axes.x,
                      "the chart's axis x, as for `stridor chart` (default: the file's [chart], else the preload)")
@@ -111,16 +172,25 @@ void add_report(CLI::App& program) {
     command->add_option("--points", options->points, "most points of an axis")
         ->check(CLI::Range(2, 400))
         ->capture_default_str();
+    command->add_option("--author", options->author, "who answers for it (default: document.author of the file)");
+    command->add_option("--part", options->part, "number of the part (default: document.part of the file)");
+    command
+        ->add_option(
+            "--longest", options->longest,
+            "how long sounds, chart and what to change may each take; what does not end is coarse or left out, "
+            "and the report says so")
+        ->type_name("TIME")
+        ->capture_default_str();
     command->add_flag("!--no-chart", options->has_chart, "leave the chart out");
     command->add_flag("!--no-advice", options->has_advice,
-                      "leave out what to change; its search takes some seconds, and is given up after 60 s");
+                      "leave out what to change, whose search takes most of the time");
+    add_runs_options(*command, options->runs);
     add_threads_option(*command, options->threads);
     command->footer(
         "The page needs nothing else: no script, no other file, no network. A PDF is printed by a browser or "
-        "wkhtmltopdf.\n"
-        "Examples:\n  stridor report squeal.toml -o report.html\n  stridor report squeal.toml --set "
-        "contact.kinetic_friction=0.3 -o "
-        "report.pdf\n"
+        "wkhtmltopdf. Its date is today's, or that of SOURCE_DATE_EPOCH.\n"
+        "Examples:\n  stridor report squeal.toml -o report.html\n  stridor report squeal.toml --author \"M. Weber\" "
+        "--part 51.3372-2 -o report.pdf\n"
         "  stridor report wiper.toml --x velocity=0.05:0.5 --y mu_d=0.2:1.2 -o wiper.html");
     command->callback([options] { make_report(*options); });
 }

@@ -39,6 +39,7 @@ struct SimulateOptions {
     std::string history;  // file to write
     std::string figure;   // file to draw
     std::string zoom;     // "from:to" with units
+    pictures::Sheet sheet;
 };
 
 record::Request request_for(const SimulateOptions& options, const parameters::Case& c) {
@@ -53,7 +54,8 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
 
 void write_records(const SimulateOptions& options, const parameters::Case& c, integration::Motion& motion,
                    double interval) {
-    if (!options.figure.empty()) pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure);
+    if (!options.figure.empty())
+        pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure, options.sheet);
     if (c.own_structure) record::add_points(motion.record.trace, parameters::output_weights(*c.own_structure));
     if (!options.history.empty()) console::write_output(options.history, io::history_csv(c, motion.record.histories));
     if (options.trace.ends_with(".nc"))
@@ -75,7 +77,8 @@ void simulate(const SimulateOptions& options) {
             console::print(io::simulation_json(c, motion, integration::cost(c), {}) + "\n");
         throw Error(*failure);
     }
-    const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
+    const std::vector<Verdict> verdicts =
+        classification::classify_phases(motion.record.phases, c.verdict, classification::contact_names(c));
     write_records(options, c, motion, request.trace.interval);
     console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                                 : console::simulation_text(c, motion, verdicts));
@@ -95,20 +98,25 @@ void add_simulate(CLI::App& program) {
     add_no_early_option(*command, options->input);
     add_json_option(*command, options->json, "stridor.simulation/1");
     command->add_option("--trace", options->trace, "write the sampled motion to FILE.csv or FILE.nc")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(in_a_folder());
     command->add_option("--trace-from", options->times.from, "first sample (default 0)")->type_name("TIME");
     command->add_option("--trace-to", options->times.to, "last sample (default: the end)")->type_name("TIME");
     command->add_option("--trace-interval", options->times.interval, "time between samples")
         ->type_name("TIME")
         ->capture_default_str();
     command->add_option("--history", options->history, "write every contact state with its times to FILE.csv")
-        ->type_name("FILE");
-    command
-        ->add_option("--figure", options->figure,
-                     "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf; of an own structure "
-                     "with several contacts each one's states and loads")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(in_a_folder());
+    CLI::Option* figure =
+        command
+            ->add_option("--figure", options->figure,
+                         "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf; of an own "
+                         "structure with several contacts each one's states and loads")
+            ->type_name("FILE")
+            ->check(in_a_folder());
     command->add_option("--zoom", options->zoom, "time range of the figure's zoom")->type_name("FROM:TO");
+    add_sheet_options(*command, options->sheet, figure);
     command->footer(
         "Examples:\n  stridor simulate squeal.toml\n  stridor simulate squeal.toml --set contact.preload=\"200 N\" "
         "--json\n"

@@ -1,3 +1,5 @@
+#include "stridor/pictures/stability.hpp"
+
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/quantity.hpp"
@@ -6,6 +8,7 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/chart/scan_range.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/io/simulation/stability_csv.hpp"
 #include "stridor/pictures/picture_files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +27,8 @@ struct StabilityOptions {
     CaseOptions input;
     std::string over;  // "key=from:to[:points]"
     std::string figure;
+    std::string csv;  // file to write
+    pictures::Sheet sheet;
     bool has_modes = false;
     bool json = false;
 };
@@ -41,7 +46,8 @@ void stability(const StabilityOptions& options) {
     const parameters::Case c = load_case(options.input);
     analysis::StabilityScan scan = scan_over(c, options.over);
     if (options.has_modes) scan = analysis::with_modes(std::move(scan));
-    if (!options.figure.empty()) pictures::draw_stability(scan, options.figure);
+    if (!options.figure.empty()) pictures::draw(pictures::stability(scan), options.figure, options.sheet);
+    if (!options.csv.empty()) console::write_output(options.csv, io::stability_csv(scan));
     console::print(options.json ? io::stability_json(scan) + "\n" : console::stability_text(scan));
 }
 
@@ -56,11 +62,19 @@ void add_stability(CLI::App& program) {
         ->add_option("--over", options->over,
                      "follow a parameter: contact.kinetic_friction=0:0.8[:POINTS]; ends may carry units")
         ->type_name("KEY=FROM:TO[:POINTS]");
+    CLI::Option* figure =
+        command
+            ->add_option("--figure", options->figure,
+                         "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf (needs --over)")
+            ->type_name("FILE")
+            ->check(in_a_folder())
+            ->needs("--over");
+    add_sheet_options(*command, options->sheet, figure);
     command
-        ->add_option("--figure", options->figure,
-                     "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf (needs --over)")
+        ->add_option("--csv", options->csv,
+                     "write the modes to FILE.csv, a row each, and which of them grow; with --over those of each point")
         ->type_name("FILE")
-        ->needs("--over");
+        ->check(in_a_folder());
     command->add_flag("--modes", options->has_modes,
                       "say what the modes that grow are made of, and which contact feeds them");
     add_json_option(*command, options->json, "stridor.stability/1");

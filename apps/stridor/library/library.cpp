@@ -2,6 +2,7 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/results/library_text.hpp"
 #include "stridor/console/terminal.hpp"
@@ -43,7 +44,7 @@ std::size_t limit_of(const ListOptions& options) {
 }
 
 void list(const ListOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     noise_library::Query query = query_of(options.selection);
     const std::vector<std::string> columns = noise_library::parse_columns(options.columns);
     query.extent = options.csv ? EntryExtent::figures : noise_library::extent_for(columns);
@@ -75,7 +76,7 @@ std::string shown(const ShowOptions& options, const Library& library, const Entr
 }
 
 void show(const ShowOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     const std::vector<Entry> entries = library.get(options.ids);
     if (options.json) return console::print(io::library_json(library.file(), entries) + "\n");
     std::string text;
@@ -95,7 +96,7 @@ void edit(const EditOptions& options) {
     if (said.fields.empty() && said.figures.empty() && said.case_file.empty())
         throw Error(ErrorKind::input, {"there is nothing to change", "no field was named",
                                        "Write, for example, --preload \"40 N\"; --preload unknown clears it."});
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     std::string text;
     for (const Entry& entry : library.edit(options.ids, [&](Entry& each) { apply(said, each); }))
         text += (text.empty() ? "" : "\n") + console::entry_page(library, entry);
@@ -108,7 +109,7 @@ struct RemoveOptions {
 };
 
 void remove(const RemoveOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     const std::vector<Entry> entries = library.get(options.ids);
     library.remove(options.ids);
     for (const Entry& entry : entries)

@@ -57,7 +57,7 @@ struct AddOptions {
 /// Adds recordings, shows how far it is, and tells what became of them.
 void add(const AddOptions& options) {
     const Interrupt interrupt;
-    Library library = noise_library::open_library(options.library.file, Access::fill);
+    Library library = noise_library::open_library(options.library.file, Access::fill, waiting(interrupt.token()));
     const recordings::RecordingFiles files = recordings::recording_files(options.files, library.audio_folder());
     console::RowDisplay row("added", files.files.size());
     std::vector<Entry> entries;  // for JSON alone
@@ -110,7 +110,7 @@ std::vector<std::int64_t> ids_to_judge(Library& library, const JudgeOptions& opt
 }
 
 void judge_again(const JudgeOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     const std::vector<std::int64_t> ids = ids_to_judge(library, options);
     if (ids.empty() && !options.json) return console::say("nothing to judge: all verdicts are of this version");
     console::RowDisplay row("judged", ids.size());

@@ -1,3 +1,4 @@
+#include "interrupt.hpp"
 #include "library/library.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/progress.hpp"
@@ -26,7 +27,7 @@ struct ExportOptions {
 };
 
 void export_entries(const ExportOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read, waiting());
     std::vector<Entry> entries;
     if (options.ids.empty()) {
         noise_library::Query query = query_of(options.selection);
@@ -47,7 +48,7 @@ struct ImportOptions {
 };
 
 void import_entries(const ImportOptions& options) {
-    Library library = noise_library::open_library(options.library.file, Access::fill);
+    Library library = noise_library::open_library(options.library.file, Access::fill, waiting());
     constexpr std::uint64_t large = 100'000'000;  // [bytes] what takes a second or so
     console::ShareDisplay display("imported");
     const auto show = [&](std::uint64_t done, std::uint64_t total) {

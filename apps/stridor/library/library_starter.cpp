@@ -28,7 +28,8 @@ struct StarterOptions {
 
 void fill(const StarterOptions& options) {
     const Interrupt interrupt;
-    noise_library::Library library = noise_library::open_library(options.library.file, noise_library::Access::fill);
+    noise_library::Library library =
+        noise_library::open_library(options.library.file, noise_library::Access::fill, waiting(interrupt.token()));
     console::ShareDisplay display("made");
     std::vector<Entry> entries;  // for JSON alone
     noise_library::StarterAdding adding;

@@ -20,6 +20,7 @@ namespace {
 struct AnalyseOptions {
     SoundOptions input;
     std::string figure;
+    pictures::Sheet sheet;
     std::string field = "free";
     bool json = false;
     bool weighted = false;
@@ -31,7 +32,7 @@ void analyse(const AnalyseOptions& options) {
     if (!options.figure.empty()) {
         drawing::Scene scene = pictures::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
         scene.title = drawing::StyledText(console::channel_title(report, report.loudest));
-        pictures::draw(scene, options.figure);
+        pictures::draw(scene, options.figure, options.sheet);
     }
     console::print(options.json ? io::analyse_json(report) + "\n"
                                 : console::analysis_text(report, options.weighted ? console::Weighting::of_all
@@ -55,10 +56,13 @@ void add_analyse(CLI::App& program) {
                      "how a sound in Pa comes to the listener, for its loudness and sharpness")
         ->check(one_of({"free", "diffuse"}))
         ->capture_default_str();
-    command
-        ->add_option("--figure", options->figure,
-                     "draw waveform, level, spectrogram and segments to FILE.png, FILE.svg or FILE.pdf")
-        ->type_name("FILE");
+    CLI::Option* figure = command
+                              ->add_option("--figure", options->figure,
+                                           "draw waveform, level, spectrogram and segments to FILE.png, FILE.svg or "
+                                           "FILE.pdf")
+                              ->type_name("FILE")
+                              ->check(in_a_folder());
+    add_sheet_options(*command, options->sheet, figure);
     add_json_option(*command, options->json, "stridor.analyse/1");
     command->footer(
         "Examples:\n  stridor analyse squeak.wav\n  stridor analyse squeak.wav --full-scale \"2 Pa\" --figure "

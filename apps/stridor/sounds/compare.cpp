@@ -31,6 +31,7 @@ struct CompareCommand {
 struct FigureCommand {
     CompareOptions input;
     std::string output = "compare.png";
+    pictures::Sheet sheet;
 };
 
 void compare(const CompareCommand& options) {
@@ -67,11 +68,13 @@ void add_figure_compare(CLI::App& figure) {
         ->type_name("TIME")
         ->capture_default_str();
     add_output_file(*command, options->output, "FILE.png, FILE.svg or FILE.pdf")->capture_default_str();
+    add_sheet_options(*command, options->sheet);
     command->footer(std::string(io::sound_forms) +
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");
-    command->callback(
-        [options] { pictures::draw(pictures::side_by_side(load_sounds(options->input)), options->output); });
+    command->callback([options] {
+        pictures::draw(pictures::side_by_side(load_sounds(options->input)), options->output, options->sheet);
+    });
 }
 
 }  // namespace stridor::app

@@ -157,7 +157,8 @@ void add_evaluate(CLI::App& program) {
         ->type_name("FILE")
         ->needs(recordings);
     command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(in_a_folder());
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json, "stridor.evaluate/1");
     command->footer(

@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "library/library.hpp"
 #include "sounds/rig.hpp"
 #include "stridor/console/results/sensitivity_text.hpp"
@@ -26,18 +27,20 @@ struct SensitivityCommand {
     std::size_t bins = 0;
     std::string by = "category";
     std::string figure;
+    pictures::Sheet sheet;
     bool records = false;
     bool json = false;
 };
 
 void run_sensitivity(const SensitivityCommand& command) {
-    noise_library::Library library = noise_library::open_library(command.library.file, noise_library::Access::read);
+    noise_library::Library library =
+        noise_library::open_library(command.library.file, noise_library::Access::read, waiting());
     noise_library::SensitivityOptions options;
     options.quantity = command.over;
     options.bins = command.bins;
     options.judge = command.by == "category" ? noise_library::Judge::stridor : noise_library::Judge::engineer;
     const Sensitivity result = noise_library::sensitivity_in(library, query_of(command.selection), options);
-    if (!command.figure.empty()) pictures::draw(pictures::sensitivity(result), command.figure);
+    if (!command.figure.empty()) pictures::draw(pictures::sensitivity(result), command.figure, command.sheet);
     console::print(command.json ? io::sensitivity_json(library.file(), result) + "\n"
                                 : console::sensitivity_text(result, command.records ? console::SensitivityRows::records
                                                                                     : console::SensitivityRows::bins));
@@ -61,8 +64,11 @@ void add_rig_sensitivity(CLI::App& rig) {
         ->check(one_of({"category", "denomination"}))
         ->capture_default_str();
     command->add_flag("--records", options->records, "a row per record instead of bins");
-    command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
-        ->type_name("FILE");
+    CLI::Option* figure =
+        command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
+            ->type_name("FILE")
+            ->check(in_a_folder());
+    add_sheet_options(*command, options->sheet, figure);
     add_json_option(*command, options->json, "stridor.sensitivity/1");
     add_library_option(*command, options->library);
     command->footer(

@@ -7,12 +7,14 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/structure/json_structure.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/reduction/contact_surface.hpp"
 #include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <memory>
 #include <optional>
 
@@ -35,7 +37,7 @@ struct PartCheckOptions {
     PartOptions part;
     int modes = 6;
     std::vector<std::string> contact;  // rows
-    int normal = 0;
+    int normal = 0;                    // component with the sign of the direction
     double friction = 1.0;
     bool json = false;
 };
@@ -45,11 +47,16 @@ std::optional<reduction::PartContacts> contacts_of(const reduction::ElasticPart&
                                                    const PartCheckOptions& options) {
     if (options.contact.empty()) return std::nullopt;
     std::optional<reduction::PartContacts> contacts =
-        part_contacts(part, named_rows(part, options.contact), options.normal, options.part.solver);
+        part_contacts(part, named_rows(part, options.contact), std::abs(options.normal), options.part.solver);
     if (!contacts)
         throw Error(ErrorKind::numerical, {"the inertia of the contacts is not known", "some motion has no mass",
                                            "Reduce the part first: stridor structure reduce."});
     return contacts;
+}
+
+void say_doubt(const base::Problem& doubt) {
+    console::say(fmt::format("stridor: note: {} ({}).{}{}", doubt.what, doubt.why, doubt.suggestion.empty() ? "" : " ",
+                             doubt.suggestion));
 }
 
 void check(const PartCheckOptions& options) {
@@ -62,16 +69,20 @@ void check(const PartCheckOptions& options) {
     else
         console::print(console::part_text(part, size) + console::vibration_text(vibration) +
                        (contacts ? console::part_contacts_text(*contacts) : ""));
-    if (contacts)
-        for (const base::Problem& doubt : doubts(*contacts, options.friction))
-            console::say(fmt::format("stridor: note: {} ({}). {}", doubt.what, doubt.why, doubt.suggestion));
+    if (!contacts) return;
+    for (const base::Problem& doubt : surface_doubts(part, named_rows(part, options.contact), options.normal))
+        say_doubt(doubt);
+    for (const base::Problem& doubt : doubts(*contacts, options.friction))
+        say_doubt(doubt);
 }
 
 }  // namespace
 
 void add_part_options(CLI::App& command, PartOptions& options) {
     command.add_option("files", options.files.files, "the part: what a finite-element program wrote of it, or a .nc");
-    command.add_option("--stiffness", options.files.stiffness, "a matrix that does not say that it is the stiffness")
+    command
+        .add_option("--stiffness", options.files.stiffness,
+                    "a matrix that does not say that it is the stiffness; FILE:NAME, one of several")
         ->type_name("FILE");
     command.add_option("--mass", options.files.mass, "a matrix that does not say that it is the mass")
         ->type_name("FILE");
@@ -127,8 +138,10 @@ void add_structure_check(CLI::App& structure) {
         command->add_option("--contact", options->contact, "rows at which it is to rub: can their inertia be believed?")
             ->type_name("ROWS")
             ->take_all();
-    command->add_option("--normal", options->normal, "component of the contact's normal (1 to 3)")
-        ->check(CLI::Range(1, 3))
+    command
+        ->add_option("--normal", options->normal,
+                     "direction in which a gap opens, into the part: 1 to 3 for x, y, z, or -1 to -3")
+        ->check(CLI::IsMember({1, 2, 3, -1, -2, -3}))
         ->needs(contact);
     command->add_option("--friction", options->friction, "largest coefficient of friction that is meant")
         ->check(CLI::PositiveNumber)

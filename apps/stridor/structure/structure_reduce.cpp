@@ -14,6 +14,9 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace stridor::app {
 
@@ -32,6 +35,26 @@ struct ReduceOptions {
     bool json = false;
 };
 
+// of a set those that have rows: what a support holds does not move
+std::vector<Eigen::Index> recovered_rows(const reduction::ElasticPart& part, const std::vector<std::string>& names) {
+    std::set<Eigen::Index> rows;
+    for (const std::string& name : names) {
+        const reduction::NodeSet* set = find_set(part, name);
+        if (set == nullptr) {
+            const std::vector<Eigen::Index> named = named_rows(part, name);
+            rows.insert(named.begin(), named.end());
+            continue;
+        }
+        const std::set<std::string> nodes(set->nodes.begin(), set->nodes.end());
+        std::vector<Eigen::Index> moving;
+        for (std::size_t row = 0; row < part.labels.size(); ++row)
+            if (nodes.contains(part.labels[row].node)) moving.push_back(static_cast<Eigen::Index>(row));
+        if (moving.empty()) moving = named_rows(part, name);  // refuses it
+        rows.insert(moving.begin(), moving.end());
+    }
+    return {rows.begin(), rows.end()};
+}
+
 void reduce(const ReduceOptions& options) {
     const reduction::ElasticPart part = load_part(options.part);
     const reduction::ReductionRequest request{
@@ -40,7 +63,7 @@ void reduce(const ReduceOptions& options) {
         .below = options.below.empty() ? 0.0 : base::parse_quantity(options.below, "Hz"),
         .inertia =
             options.inertia == "lumped" ? reduction::BoundaryInertia::lumped : reduction::BoundaryInertia::consistent,
-        .recovered = named_rows(part, options.recovered)};
+        .recovered = recovered_rows(part, options.recovered)};
     const reduction::CondensedPart condensed(part, request.boundary, options.part.solver);
     const reduction::Reduction reduced =
         options.method == "macneal" ? macneal(condensed, request) : craig_bampton(condensed, request);
@@ -67,7 +90,9 @@ void add_structure_reduce(CLI::App& structure) {
         ->type_name("ROWS")
         ->required()
         ->take_all();
-    command->add_option("--recover", options->recovered, "further rows whose motion is wanted, likewise")
+    command
+        ->add_option("--recover", options->recovered,
+                     "further rows whose motion is wanted, likewise; of a set those that no support holds")
         ->type_name("ROWS")
         ->take_all();
     CLI::Option* modes = command->add_option("--modes", options->modes, "modes that are kept")

@@ -1,6 +1,6 @@
 /** What the server sends of one design when a view asks: stability, sounds, advice, recordings, refusals. */
 import type { Category, Direction, Phase, Scale, StabilityKind, VerdictWord } from "../program/words.ts";
-import type { Case, Document, Units } from "./types.ts";
+import type { Case, Document, Ranges, Units } from "./types.ts";
 
 export interface Mode {
   growth: number;
@@ -139,7 +139,7 @@ export interface DesignChange {
   set: Setting[];
   distance: number;
   options: string;
-  verified: DesignVerdict & { runs: number; neighbourhood: number; starts: string[] };
+  verified: DesignVerdict & { runs: number; designs: number; neighbourhood: number; starts: string[] };
 }
 
 /** A share with its interval of confidence. */
@@ -155,20 +155,42 @@ export interface Chance {
   high: number;
   confidence: number;
   samples: number;
+  /** Nobody named the tolerances. */
+  usual: boolean;
   seed: number;
   not_quiet: Estimate;
   by_category: Partial<Record<VerdictWord, Estimate>>;
   tolerances: { key: string; value: number; tolerance: number; unit: string; spread: string }[];
 }
 
-export interface Advice extends Document {
+/** What lies close to a quiet design: each change of one quantity that ends the silence, in words too. */
+export interface Near {
+  within: number;
+  turns: (DesignVerdict & { key: string; relative: number; value: number; unit: string; words: string })[];
+}
+
+/** How a design stands, judged both ways and from every start. */
+export interface Standing {
+  headline: string;
+  /** "quiet_here": what lies around was not looked at. */
+  standing: "quiet" | "barely_quiet" | "quiet_here" | "not_quiet";
+  phases: Phase[];
+  starts: string[];
+  present: DesignVerdict & { quiet: boolean; message: string };
+  near: Near | null;
+}
+
+export interface DesignAnswer extends Document, Standing {
+  case: Case;
+  ranges: Ranges;
+}
+
+export interface Advice extends Document, Standing {
   case: Case;
   units: Units;
-  phases: Phase[];
-  present: DesignVerdict & { quiet: boolean; message: string };
   margins: AdviceMargin[];
   ranking: string[];
-  nearest: (DesignVerdict & { set: Setting[]; distance: number }) | null;
+  nearest: (DesignVerdict & { set: Setting[]; distance: number; words: string }) | null;
   change: DesignChange | null;
   changes: DesignChange[];
   chance: Chance | null;

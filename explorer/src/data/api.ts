@@ -3,6 +3,7 @@ import { body, type Axis, type Design } from "../state/state.ts";
 import { Lines, motionOf, type Motion } from "./frames.ts";
 import type {
   Advice,
+  DesignAnswer,
   Analysis,
   Library,
   ModalLines,
@@ -144,6 +145,11 @@ export function analysis(design: Design, options: SoundOptions, signal?: AbortSi
 
 export function modalLines(design: Design, of: string, signal?: AbortSignal): Promise<ModalLines> {
   return json(post("/api/modal", { ...body(design), of }, signal));
+}
+
+/** How a design stands; `around`: with what lies close to it, should it be quiet. */
+export function design(design: Design, around: boolean, signal?: AbortSignal): Promise<DesignAnswer> {
+  return json(post("/api/design", { ...body(design), around }, signal));
 }
 
 export interface AdviceWish {

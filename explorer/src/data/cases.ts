@@ -56,6 +56,11 @@ export function keyOfJoint(joint: string, inner: string): string {
   return `joint.${joint}.${inner.replace(/^joint\./, "")}`;
 }
 
+/** Is a key that of all joints of a case with several? */
+export function isOfJoints(resolved: Case, key: string): boolean {
+  return jointsOf(resolved).length > 1 && !jointKey(key) && /^(joint|contact)\./.test(key);
+}
+
 /** Where the value of a key stands: of one of several joints in the list of them. */
 function partIn(resolved: Case, key: string): { part: Section | undefined; name: string } {
   const own = jointKey(key);

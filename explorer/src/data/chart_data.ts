@@ -9,13 +9,26 @@ export interface ChartData {
   y: ChartAxisFrame;
   directions: Direction[];
   category: Uint8Array; // [direction][y][x]
-  computed: Uint8Array | null; // likewise; 1: computed, 0: inferred
+  computed: Uint8Array | null; // likewise; 1: computed, 0: inferred, or not computed yet
   figure: Float32Array | null; // likewise; NaN unknown
   painted: Float32Array | null; // the figure, cells that were not computed like their nearest neighbour
   figureRange: readonly [number, number];
   names: NamePlace[]; // where a category's name fits
   boundaries: BoundaryLine[];
+  gaps: string; // why cells without a result have none
   done: boolean;
+}
+
+/** Is a cell of a chart that is not finished still to be computed? What it then shows is its neighbour's. */
+export function isAwaited(data: ChartData, index: number): boolean {
+  return !data.done && data.computed !== null && !data.computed[index];
+}
+
+/** How many cells of a direction were computed. */
+export function computedIn(data: ChartData, direction: Direction): number {
+  const size = data.x.points * data.y.points;
+  const from = data.directions.indexOf(direction) * size;
+  return data.computed?.subarray(from, from + size).reduce((sum, mark) => sum + mark, 0) ?? 0;
 }
 
 /** The chart after a frame; axes come with the first one only. Nothing before these are known. */
@@ -36,6 +49,7 @@ export function merged(before: ChartData | null, frame: ChartFrame, hasFigure: b
     names: frame.done && !figure ? namePlaces(bytesOf(frame.category), x.points, y.points) : [],
     figureRange: figure ? rangeOf(figure) : [0, 1],
     boundaries: frame.boundaries ?? [],
+    gaps: frame.gaps ?? "",
     done: frame.done,
   };
 }

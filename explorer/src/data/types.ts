@@ -85,10 +85,14 @@ export interface TextField {
 }
 export type Field = QuantityField | ChoiceField | TextField;
 
+/** By key between which values a quantity of a case is varied, of a velocity its magnitude. */
+export type Ranges = Record<string, { from: number; to: number; scale: Scale }>;
+
 export interface Preset {
   name: string;
   title: string;
   case: Case;
+  ranges: Ranges;
   /** That of its file, should it have one, with the quantity it draws. */
   chart?: { x: Axis; y: Axis; figure: string };
 }
@@ -121,6 +125,7 @@ export interface Margin {
   value: number | null;
   threshold_value: number;
   distance: number | null;
+  error?: number | null;
 }
 
 export interface Levels {
@@ -148,9 +153,13 @@ export interface Verdict {
   beat: { from: ContactState; to: ContactState };
   period: number | null;
   frequency: number | null;
+  normal_force: { preload: number; largest: number };
+  /** How the normal force of a contact that sticks goes with the way it is dragged. */
+  drag: { from: number | null; to: number | null; way: number | null; slope: number | null };
   levels: { joint: Levels; plate: Levels; reference: string };
   margins: Margin[];
   reasons: string[];
+  warnings: string[];
 }
 
 /** A contact by itself; without a verdict where it carries nothing. */
@@ -203,7 +212,14 @@ export interface Outcome {
   time: number;
   silence?: { time: number; normal_force: number; slip_velocity: number };
   limit_cycle?: { time: number; period: number; residual: number; events: number };
-  ending: { state: ContactState; since: number; future: string; release: number | null };
+  ending: {
+    state: ContactState;
+    since: number;
+    future: string;
+    release: number | null;
+    growth: number | null;
+    grown: number | null;
+  };
 }
 
 export interface Energy {
@@ -253,6 +269,8 @@ export interface ChartFrame {
   computed_mask: string;
   figure?: string;
   boundaries?: BoundaryLine[];
+  /** Why the first cell without a result has none; empty where each has one. */
+  gaps?: string;
 }
 
 export interface MotionHeader {

@@ -2,7 +2,7 @@
 import type { Scale } from "../program/words.ts";
 import type { Palette } from "./colours.ts";
 import { plain } from "./format.ts";
-import { share, ticks } from "./scale.ts";
+import { share, ticksOfScale } from "./scale.ts";
 import { font } from "./surface.ts";
 
 export interface Box {
@@ -26,9 +26,7 @@ export interface AxisLook {
 function marks(axis: AxisLook, wanted: number): { text: string; part: number }[] {
   const { from, to, scale = "linear", factor = 1 } = axis;
   const place = axis.place ?? ((value: number) => share(value, from, to, scale));
-  const values = (count: number): number[] => ticks(from * factor, to * factor, scale, count);
-  const few = values(Math.max(2, Math.floor(wanted)));
-  return (few.length < 2 ? values(2 * Math.ceil(wanted)) : few).map((value) => ({
+  return ticksOfScale(from * factor, to * factor, scale, wanted).map((value) => ({
     text: plain(value),
     part: place(value / factor),
   }));

@@ -52,7 +52,7 @@ export function paintBands(surface: Surface, { contacts }: Motion, view: BandsVi
     pen.font = font(10, 600);
     pen.textAlign = "left";
     pen.textBaseline = "top";
-    pen.fillStyle = view.palette.ink;
+    pen.fillStyle = k === view.chosen ? view.palette.accent : view.palette.ink;
     pen.fillText(stays.name, marginLeft, top + 1);
     paintBand(surface, stays, view, top + nameHeight, inner);
   });

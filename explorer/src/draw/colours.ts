@@ -4,7 +4,10 @@
  * noises keep their hue and their order of lightness.
  */
 import { kindFills, sequentialStops, stateColours } from "../program/palette.ts";
-import { chartKinds, type ContactState } from "../program/words.ts";
+import { type Category, chartKinds, type ContactState, type QuietReason } from "../program/words.ts";
+
+/** [1] How much of a colour is left where a cell is not computed yet. */
+export const paleness = 0.3;
 
 export type Texture = "plain" | "dots" | "rising" | "falling" | "crossed";
 
@@ -17,7 +20,7 @@ export interface Fill {
 /** 0 to 255 each. */
 export type Colour = [red: number, green: number, blue: number];
 
-/** What a cell may be filled for: a category, a contact that sticks, no result. */
+/** What a cell may be filled for: a category, a contact that sticks or locks, no result. */
 export type Kind = keyof typeof kindFills;
 
 export interface Palette {
@@ -70,6 +73,7 @@ export const dark: Palette = {
   category: {
     "none": { ground: "#30353B", texture: "plain", mark: "#30353B" },
     "none (sticks)": { ground: "#4A525C", texture: "plain", mark: "#4A525C" },
+    "locks": { ground: "#6B747F", texture: "crossed", mark: "#C4CCD4" },
     "squeak": { ground: "#E8BC55", texture: "dots", mark: "#6B4A00" },
     "squeal": { ground: "#CC6677", texture: "rising", mark: "#F3C6CD" },
     "creak": { ground: "#1F66AE", texture: "falling", mark: "#8FBCE8" },
@@ -83,11 +87,36 @@ export const dark: Palette = {
 export function categoryAndQuiet(code: number): [string, string] {
   const name = chartKinds[code] ?? "";
   if (name === "none (sticks)") return ["none", "sticks"];
+  if (name === "locks") return ["none", "locks"];
   return [name, name === "none" ? "slides" : ""];
+}
+
+/** What a verdict is drawn as. */
+export function kindOf({ category, quiet_because }: { category: Category; quiet_because: QuietReason | null }): Kind {
+  if (quiet_because === "sticks") return "none (sticks)";
+  return quiet_because === "locks" ? "locks" : category;
+}
+
+/** The word of a verdict: its category, or that it locks. */
+export function wordOf(verdict: { category: Category; quiet_because: QuietReason | null }): string {
+  return verdict.quiet_because === "locks" ? "locks" : verdict.category;
+}
+
+/** Why nothing is heard, beside that word, and empty where the word has said it. */
+export function silenceOf({ quiet_because }: { quiet_because: QuietReason | null }): string {
+  return quiet_because === "locks" ? "" : (quiet_because ?? "");
 }
 
 export function fillOf(palette: Palette, category: string | null | undefined): Fill {
   return palette.category[category as Kind] ?? palette.category.failed;
+}
+
+/** How a cell that is not computed yet is filled: a breath of what its neighbour is, and no texture. */
+export function paleOf(palette: Palette, category: string | null | undefined): Fill {
+  const [ground, panel] = [rgb(fillOf(palette, category).ground), rgb(palette.panel)];
+  const mixed = ground.map((part, k) => Math.round(paleness * part + (1 - paleness) * (panel[k] as number)));
+  const colour = "#" + mixed.map((part) => part.toString(16).padStart(2, "0")).join("");
+  return { ground: colour.toUpperCase(), texture: "plain", mark: colour };
 }
 
 /** Red, green and blue of a share of the scale of figures, 0 to 255. */

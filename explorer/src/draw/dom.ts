@@ -48,6 +48,39 @@ export function symbol(parts: readonly [string, string]): HTMLElement {
   return h("i", { class: "symbol" }, parts[0], parts[1] ? h("sub", {}, parts[1]) : null);
 }
 
+/**
+ * A menu below its button. Esc closes it, and a click or the focus beside it does; the focus goes back to the button
+ * unless something else has taken it. What was typed and not yet taken is forgotten with Esc.
+ *
+ * @param open is called each time when it opens
+ */
+export function menu(label: string, sheet: HTMLElement, attributes: Attributes = {}, open?: () => void): HTMLElement {
+  const summary = h("summary", {}, label);
+  const element = h("details", { class: "drop", ...attributes }, summary, sheet);
+  const close = (): void => {
+    element.open = false;
+    if (element.contains(document.activeElement) || document.activeElement === document.body) summary.focus();
+  };
+  const beside = (event: Event): void => {
+    // a file is handed over by a click that no hand made
+    if (event.isTrusted && !element.contains(event.target as Node)) close();
+  };
+  const escape = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape") return;
+    for (const input of sheet.querySelectorAll("input")) input.value = input.defaultValue;
+    close();
+    event.stopPropagation();
+  };
+  element.addEventListener("toggle", () => {
+    const change = element.open ? "addEventListener" : "removeEventListener";
+    document[change]("click", beside, true);
+    document[change]("focusin", beside);
+    document[change]("keydown", escape as EventListener, true);
+    if (element.open) open?.();
+  });
+  return element;
+}
+
 /** Puts text where it differs, so that nothing is announced or laid out anew without need. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

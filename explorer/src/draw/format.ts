@@ -10,6 +10,44 @@ const prefixes: readonly [number, string][] = [
   [1e-6, "µ"],
   [1e-9, "n"],
 ];
+/** Units that numbers are written in. What a case holds and what is sent stays in SI, to the last digit. */
+export const unitSystems = { si: "SI", engineering: "N/mm, g" } as const;
+export type UnitSystem = keyof typeof unitSystems;
+let system: UnitSystem = "si";
+
+export function setUnits(name: UnitSystem): void {
+  system = name;
+}
+
+/** A unit as the program reads it, and what a value in SI is multiplied with to be written in it. */
+export interface Written {
+  factor: number;
+  unit: string;
+}
+
+// from which size on, the largest first
+const engineering: Record<string, readonly (Written & { least: number })[]> = {
+  "m": [{ least: 0, factor: 1e3, unit: "mm" }],
+  "m/s": [{ least: 0, factor: 1e3, unit: "mm/s" }],
+  "N/m": [{ least: 0, factor: 1e-3, unit: "N/mm" }],
+  "kg": [
+    { least: 1, factor: 1, unit: "kg" },
+    { least: 0, factor: 1e3, unit: "g" },
+  ],
+};
+
+/** In what a quantity of this size is written where prefixes do not go with each value: on axes, in fields. */
+export function writtenIn(unit: string, size: number): Written {
+  const own = system === "engineering" ? engineering[unit]?.find(({ least }) => Math.abs(size) >= least) : undefined;
+  return { factor: own?.factor ?? 1, unit: own?.unit ?? unit };
+}
+
+/** What was typed: a number alone is in the unit that stands there. */
+export function withUnit(text: string, unit: string, shown: number): string {
+  const written = writtenIn(unit, shown);
+  return number(text) === null || written.unit === unit ? text : `${text} ${written.unit}`;
+}
+
 const scalable = new Set(["N", "N/m", "N*s/m", "m", "m/s", "m/s^2", "s", "Hz", "J", "kg"]);
 
 /** A number with few digits: 4 significant ones unless told. */
@@ -42,6 +80,8 @@ export function quantity(value: number | null | undefined, unit: string, digits 
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (unit === "deg") return `${plain(value, digits)}°`;
   if (unit === "1" || unit === "") return plain(value, digits);
+  const written = writtenIn(unit, value);
+  if (written.unit !== unit) return `${plain(value * written.factor, digits)} ${unitText(written.unit)}`;
   if (!scalable.has(unit) || value === 0) return `${plain(value, digits)} ${unitText(unit)}`;
   if (unit === "kg") return Math.abs(value) < 1 ? `${plain(value * 1e3, digits)} g` : `${plain(value, digits)} kg`;
   const rounded = Math.abs(Number(value.toPrecision(digits)));

@@ -64,15 +64,18 @@ export function jointColumn(motion: Motion, place: "x" | "y", contact: number): 
 }
 
 /**
- * The wanted lanes of a motion: with few contacts each lane stands once for each, with its name; with many those of
- * the chosen one. Below them the outputs of a structure of the user's own.
+ * The wanted lanes of a motion: with few contacts each lane stands once for each, with its name, as long as there is
+ * room for so many; else those of the chosen one. Below them the outputs of a structure of the user's own.
  */
-export function lanesOf(motion: Motion, wanted: ReadonlySet<string>, chosen = 0): LaneSpec[] {
+export function lanesOf(motion: Motion, wanted: ReadonlySet<string>, chosen = 0, most = Infinity): LaneSpec[] {
   const specs = isOnPlate(motion) ? laneSpecs : laneSpecs.map(ofStructure);
   const shown = specs.filter(({ name }) => wanted.has(name));
   const outputs = wanted.has("velocity") ? outputLanes(motion) : [];
   if (motion.contacts.length < 2) return [...shown, ...outputs];
-  const laned = motion.contacts.map((contact, k) => ({ contact, k })).filter(({ k }) => isLaned(motion, k, chosen));
+  const isRoom = motion.contacts.length * shown.length + outputs.length <= most;
+  const laned = motion.contacts
+    .map((contact, k) => ({ contact, k }))
+    .filter(({ k }) => (isRoom ? isLaned(motion, k, chosen) : k === chosen));
   const own = shown.flatMap((lane) =>
     laned.map(({ contact, k }) => ({
       ...lane,

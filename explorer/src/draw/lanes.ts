@@ -3,9 +3,9 @@ import type { Motion } from "../data/frames.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
 import { bandsHeight, marginLeft, marginRight, paintBands } from "./bands.ts";
 import type { Palette } from "./colours.ts";
-import { plain, unitText } from "./format.ts";
+import { plain, unitText, writtenIn } from "./format.ts";
 import type { LaneSpec } from "./lane_specs.ts";
-import { ticks } from "./scale.ts";
+import { ticks, ticksOfScale } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
 const axisHeight = 20;
@@ -35,6 +35,13 @@ export class Pyramids {
     this.made_.set(column, tree);
     return tree;
   }
+}
+
+const leastLane = 30; // [px] of height, below which a lane shows nothing
+
+/** How many lanes a canvas has room for. */
+export function mostLanes(motion: Motion, height: number): number {
+  return Math.floor((height - bandsHeight(motion, height) - axisHeight) / leastLane);
 }
 
 export function timeAt(surface: { width: number }, span: readonly [number, number], x: number): number {
@@ -118,8 +125,11 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   pen.lineWidth = 1;
-  for (const value of ticks(low, high, "linear", Math.max(2, Math.floor(box.height / 26)))) {
-    const at = Math.round(y(value)) + 0.5;
+  const unit = motion.columns.get(lane.curves[0]?.column ?? "")?.unit ?? "";
+  const written = writtenIn(unit, Math.max(high, -low));
+  const marks = ticksOfScale(low * written.factor, high * written.factor, "linear", box.height / 26);
+  for (const value of marks) {
+    const at = Math.round(y(value / written.factor)) + 0.5;
     if (at < box.top || at > box.top + box.height) continue;
     pen.strokeStyle = value === 0 ? view.palette.line : view.palette.grid;
     pen.beginPath();
@@ -145,7 +155,7 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
     pen.stroke();
   }
   pen.restore();
-  paintTitle(surface, view, lane, box, motion);
+  paintTitle(surface, view, lane, box, unitText(written.unit));
 }
 
 /**
@@ -202,9 +212,8 @@ function limits(parts: Float32Array[], spiky: boolean): [number, number] {
   return [low - room, high + 4 * room]; // above is the title's place
 }
 
-function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: LaneBox, motion: Motion): void {
+function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: LaneBox, unit: string): void {
   const { pen } = surface;
-  const unit = unitText(motion.columns.get(lane.curves[0]?.column ?? "")?.unit ?? "");
   pen.textAlign = "left";
   pen.textBaseline = "top";
   pen.font = font(11, 600);

@@ -1,9 +1,10 @@
 /** One direction of a chart, painted: cells with their hatching, boundaries, axes, the chosen cell. */
-import type { ChartData } from "../data/chart_data.ts";
+import { isAwaited, type ChartData } from "../data/chart_data.ts";
 import type { ChartAxisFrame } from "../data/types.ts";
 import { chartKinds, type Direction } from "../program/words.ts";
 import { paintAxes, type AxisLook, type Box } from "./axes.ts";
-import { fillOf, sequential, textOn, tile, type Palette } from "./colours.ts";
+import { fillOf, paleness, paleOf, sequential, textOn, tile, type Palette } from "./colours.ts";
+import { writtenIn } from "./format.ts";
 import { at, share } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
@@ -74,13 +75,14 @@ function paintCategories(surface: Surface, box: Box, data: ChartData, direction:
     const row = indexOf(data, direction, 0, iy);
     for (let ix = 0; ix < x.points;) {
       const category = data.category[row + ix] as number;
+      const awaited = isAwaited(data, row + ix);
       let end = ix + 1;
-      while (end < x.points && data.category[row + end] === category) ++end;
+      while (end < x.points && data.category[row + end] === category && isAwaited(data, row + end) === awaited) ++end;
       const left = columns[ix] as number;
       const width = (columns[end] as number) - left;
       ix = end;
       if (category === 255 && !data.done) continue;
-      const brush = brushes(category);
+      const brush = brushes(category, awaited);
       pen.fillStyle = brush.ground;
       pen.fillRect(left, top, width, height);
       if (!brush.marks) continue;
@@ -91,16 +93,17 @@ function paintCategories(surface: Surface, box: Box, data: ChartData, direction:
 }
 
 function brushesOf(surface: Surface, palette: Palette) {
-  const made = new Map<number, { ground: string; marks: CanvasPattern | null }>();
-  return (category: number) => {
-    const known = made.get(category);
+  const made = new Map<string, { ground: string; marks: CanvasPattern | null }>();
+  return (category: number, awaited: boolean) => {
+    const key = `${category} ${awaited}`;
+    const known = made.get(key);
     if (known) return known;
-    const fill = fillOf(palette, chartKinds[category]);
+    const fill = (awaited ? paleOf : fillOf)(palette, chartKinds[category]);
     const image = tile(fill, surface.ratio);
     const marks = image ? surface.pen.createPattern(image, "repeat") : null;
     marks?.setTransform(new DOMMatrix().scale(1 / surface.ratio));
     const brush = { ground: fill.ground, marks };
-    made.set(category, brush);
+    made.set(key, brush);
     return brush;
   };
 }
@@ -112,10 +115,12 @@ function paintFigure(surface: Surface, box: Box, data: ChartData, direction: Dir
   const [low, high] = data.figureRange;
   for (let iy = 0; iy < y.points; ++iy)
     for (let ix = 0; ix < x.points; ++ix) {
-      const value = painted[indexOf(data, direction, ix, iy)] as number;
+      const index = indexOf(data, direction, ix, iy);
+      const value = painted[index] as number;
       const pixel = 4 * ((y.points - 1 - iy) * x.points + ix);
       if (!Number.isFinite(value)) continue;
-      image.data.set([...sequential((value - low) / (high - low || 1)), 255], pixel);
+      const opacity = isAwaited(data, index) ? paleness : 1;
+      image.data.set([...sequential((value - low) / (high - low || 1)), 255 * opacity], pixel);
     }
   const small = document.createElement("canvas");
   [small.width, small.height] = [x.points, y.points];
@@ -176,6 +181,7 @@ function paintFrameOf(surface: Surface, box: Box, data: ChartData, look: Look): 
   const axis = (frame: ChartAxisFrame, title: string): AxisLook => ({
     ...frame,
     title,
+    factor: writtenIn(frame.unit, frame.to).factor,
     place: (value) => place(value, frame),
   });
   paintAxes(pen, look.palette, box, axis(data.x, look.xTitle), axis(data.y, look.yTitle));
@@ -193,17 +199,25 @@ function mark(pen: CanvasRenderingContext2D, x0: number, y0: number, x1: number,
   pen.stroke();
 }
 
-/** Where the design lies: hair lines and a ring that is seen on every ground. */
+/** Where the design lies, or one of its joints; then with its name. */
+export interface Mark {
+  name: string;
+  x: number;
+  y: number;
+}
+
+/** Where the design lies: a ring that is seen on every ground, of the first one hair lines, too. */
 export function paintDesign(
   surface: Surface,
   box: Box,
   data: ChartData,
-  design: { x: number; y: number },
+  { name, x, y }: Mark,
+  rank: number,
   look: Look,
 ): void {
   const { pen } = surface;
-  const px = box.left + box.width * place(design.x, data.x);
-  const py = box.top + box.height * (1 - place(design.y, data.y));
+  const px = box.left + box.width * place(x, data.x);
+  const py = box.top + box.height * (1 - place(y, data.y));
   pen.save();
   pen.beginPath();
   pen.rect(box.left - 1, box.top - 1, box.width + 2, box.height + 2);
@@ -215,7 +229,7 @@ export function paintDesign(
     pen.globalAlpha = look.chosen ? 0.85 : 0.4;
     pen.strokeStyle = colour;
     pen.lineWidth = width;
-    if (look.chosen) {
+    if (look.chosen && rank === 0) {
       mark(pen, box.left, py, px - 8, py);
       mark(pen, px + 8, py, box.left + box.width, py);
       mark(pen, px, box.top, px, py - 8);
@@ -227,6 +241,14 @@ export function paintDesign(
     pen.arc(px, py, 6, 0, 2 * Math.PI);
     pen.stroke();
   }
+  pen.font = font(11, 600);
+  pen.textAlign = "left";
+  pen.textBaseline = rank % 2 === 0 ? "bottom" : "top"; // neighbours do not lie on each other
+  pen.lineWidth = 3;
+  pen.strokeStyle = "#FFFFFF";
+  pen.fillStyle = "#111418";
+  pen.strokeText(name, px + 9, py);
+  pen.fillText(name, px + 9, py);
   pen.restore();
 }
 

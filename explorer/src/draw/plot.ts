@@ -1,12 +1,19 @@
 /** Line plots: uPlot in the page's colours, as wide as its box. */
 import uPlot from "uplot";
+import type { Scale } from "../program/words.ts";
 import { h } from "./dom.ts";
 import { plain } from "./format.ts";
-import { rows } from "./scale.ts";
+import { rows, ticks } from "./scale.ts";
 import { font } from "./surface.ts";
-import { onTheme, palette } from "./theme.ts";
+import { onLook, palette } from "./theme.ts";
 
 const legendHeight = 27; // [px] of one line
+
+/** Marks of a logarithmic axis where ours have them. */
+const decades: uPlot.Axis = {
+  splits: (_, __, from, to) => ticks(from, to, "log"),
+  filter: (_, splits) => splits,
+};
 
 export interface Curve {
   label: string;
@@ -20,12 +27,15 @@ export interface Curve {
 export interface PlotContent {
   x: number[];
   xTitle: string;
+  xScale?: Scale;
   yTitle: string;
   curves: Curve[];
   /** Upright lines with a word each. */
   marks?: { x: number; label: string }[];
   yRange?: [number, number];
   zeroLine?: boolean;
+  /** Is told the x under the pointer; null: it is elsewhere. */
+  point?: (x: number | null) => void;
 }
 
 export class Plot {
@@ -36,7 +46,7 @@ export class Plot {
 
   constructor(private readonly name_: string) {
     this.element = h("div", { "class": "plot", "role": "img", "aria-label": name_, "data-plot": name_ }, this.host_);
-    onTheme(() => this.remake_());
+    onLook(() => this.remake_());
     new ResizeObserver(() => this.resize_()).observe(this.host_);
   }
 
@@ -87,10 +97,10 @@ export class Plot {
       cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
       legend: { live: true },
       scales: {
-        x: { time: false },
+        x: { time: false, distr: content.xScale === "log" ? 3 : 1, range: (_, from, to) => [from, to] },
         y: yRange ? { range: () => yRange } : {},
       },
-      axes: [axis(content.xTitle, 32), axis(content.yTitle, 44)],
+      axes: [{ ...axis(content.xTitle, 32), ...(content.xScale === "log" ? decades : {}) }, axis(content.yTitle, 44)],
       series: [
         { label: content.xTitle, value: (_, value) => (value === null ? "–" : plain(value)) },
         ...content.curves.map((curve) => ({
@@ -105,7 +115,10 @@ export class Plot {
           value: (_: uPlot, value: number | null) => (value === null || value === undefined ? "–" : plain(value)),
         })),
       ],
-      hooks: { draw: [(plot) => this.drawMarks_(plot, content)] },
+      hooks: {
+        draw: [(plot) => this.drawMarks_(plot, content)],
+        setCursor: [({ cursor: { left = -1 }, posToVal }) => content.point?.(left < 0 ? null : posToVal(left, "x"))],
+      },
     };
   }
 

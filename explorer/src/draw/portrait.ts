@@ -4,6 +4,7 @@ import type { ContactState } from "../program/words.ts";
 import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
 import { columnOf, isOnPlate } from "./lane_specs.ts";
+import { unitText, writtenIn } from "./format.ts";
 import type { Surface } from "./surface.ts";
 
 const mostPoints = 5_000;
@@ -46,12 +47,18 @@ export function paintPortrait(
   const px = (value: number): number => box.left + (box.width * (value - x0)) / (x1 - x0);
   const py = (value: number): number => box.top + (box.height * (v1 - value)) / (v1 - v0);
   const { pen } = surface;
+  const speed = writtenIn("m/s", Math.max(v1, -v0));
   paintAxes(
     pen,
     palette,
     box,
-    { title: `${sign} [mm]`, from: x0, to: x1, factor: 1000 },
-    { title: `${sign === "x" ? "ẋ" : "ẋ₁"} [m/s]`, from: v0, to: v1 },
+    {
+      title: `${motion.contacts.length > 1 ? `${shownContact(motion, contact).name}: ` : ""}${sign} [mm]`,
+      from: x0,
+      to: x1,
+      factor: 1000,
+    },
+    { title: `${sign === "x" ? "ẋ" : "ẋ₁"} [${unitText(speed.unit)}]`, from: v0, to: v1, factor: speed.factor },
   );
 
   pen.save();

@@ -40,6 +40,12 @@ export function ticks(from: number, to: number, scale: Scale, wanted = 6): numbe
   return found;
 }
 
+/** About as many as wanted, but two at least: one alone gives no scale. */
+export function ticksOfScale(from: number, to: number, scale: Scale, wanted: number): number[] {
+  const few = ticks(from, to, scale, Math.max(2, Math.floor(wanted)));
+  return few.length < 2 ? ticks(from, to, scale, 2 * Math.ceil(wanted)) : few;
+}
+
 function inside(value: number, from: number, to: number): boolean {
   return value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9);
 }

@@ -5,8 +5,10 @@ import { paintAxes, type Box } from "./axes.ts";
 import { fillOf, sequential, tile } from "./colours.ts";
 import { h } from "./dom.ts";
 import { plain } from "./format.ts";
+import type { Scale } from "../program/words.ts";
+import { share } from "./scale.ts";
 import { surface, type Surface } from "./surface.ts";
-import { onTheme, palette } from "./theme.ts";
+import { onLook, palette } from "./theme.ts";
 
 const span = 70; // [dB] from the darkest to the brightest colour
 const pitchColour = "#E62E2E"; // on every colour of the scale
@@ -25,17 +27,20 @@ export class Spectrogram {
   private top_ = 0;
   private content_: LevelMap | null = null;
   private overlay_: Overlay | null = null;
+  private scale_: Scale = "linear";
 
   constructor(private readonly name_: string) {
     const canvas = h("canvas", { "role": "img", "aria-label": name_ });
     this.surface_ = surface(canvas, (s) => this.paint_(s));
     this.element = h("div", { class: "stage spectrogram" }, canvas);
-    onTheme(() => this.surface_.invalidate());
+    onLook(() => this.surface_.invalidate());
   }
 
-  show(content: LevelMap, title = this.name_, overlay: Overlay | null = null): void {
+  /** `scale` is that of the frequency; what is laid over is over a linear one. */
+  show(content: LevelMap, title = this.name_, overlay: Overlay | null = null, scale: Scale = "linear"): void {
     this.content_ = content;
     this.overlay_ = overlay;
+    this.scale_ = scale;
     this.surface_.canvas.setAttribute(
       "aria-label",
       `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`,
@@ -67,9 +72,14 @@ export class Spectrogram {
     const box = { left: 66, top: 6 + above, width: width - 66 - 46, height: height - 46 - above };
     if (box.width < 20 || box.height < 20) return;
     pen.imageSmoothingEnabled = true;
-    pen.drawImage(picture, box.left, box.top, box.width, box.height);
     const [t, f] = [reach(content.time), reach(content.frequency)];
-    paintAxes(pen, palette(), box, { title: "time [s]", ...t }, { title: "frequency [Hz]", ...f });
+    if (this.scale_ === "log") {
+      f.from = content.frequency.find((each) => each > 0) ?? 1;
+      paintRows(pen, picture, box, content.frequency, f);
+    } else {
+      pen.drawImage(picture, box.left, box.top, box.width, box.height);
+    }
+    paintAxes(pen, palette(), box, { title: "time [s]", ...t }, { title: "frequency [Hz]", scale: this.scale_, ...f });
     this.paintScale_(s, box);
     if (overlay) paintOverlay(pen, box, overlay, t, f);
   }
@@ -99,6 +109,24 @@ function reach(middles: number[]): Reach {
   const [first = 0.5, second = 3 * first] = middles;
   const half = 0.5 * (second - first);
   return { from: first - half, to: (middles.at(-1) ?? first) + half };
+}
+
+// each frequency as high as a logarithmic axis has it
+function paintRows(
+  pen: CanvasRenderingContext2D,
+  picture: HTMLCanvasElement,
+  box: Box,
+  middles: number[],
+  { from, to }: Reach,
+): void {
+  const half = 0.5 * ((middles[1] ?? 1) - (middles[0] ?? 0));
+  const y = (frequency: number): number =>
+    box.top + box.height * (1 - Math.max(share(Math.max(frequency, from), from, to, "log"), 0));
+  middles.forEach((middle, k) => {
+    const [top, bottom] = [y(middle + half), y(middle - half)];
+    if (bottom <= top) return;
+    pen.drawImage(picture, 0, middles.length - 1 - k, picture.width, 1, box.left, top, box.width, bottom - top + 0.5);
+  });
 }
 
 function paintOverlay(pen: CanvasRenderingContext2D, box: Box, overlay: Overlay, t: Reach, f: Reach): void {

@@ -1,4 +1,4 @@
-/** Which palette is shown, and who wants to know when it changes. */
+/** Which palette is shown, and who wants to know when it or the units change. */
 import type { Theme } from "../state/state.ts";
 import { dark, fillOf, light, tile, type Palette } from "./colours.ts";
 
@@ -11,8 +11,13 @@ export function palette(): Palette {
   return current;
 }
 
-export function onTheme(listener: () => void): void {
+export function onLook(listener: () => void): void {
   listeners.push(listener);
+}
+
+/** Has all that shows something show it anew. */
+export function relook(): void {
+  for (const listener of listeners) listener();
 }
 
 export function setTheme(theme: Theme): void {
@@ -40,7 +45,7 @@ function apply(): void {
   if (next === current && root.dataset.painted) return;
   root.dataset.painted = "yes";
   current = next;
-  for (const listener of listeners) listener();
+  relook();
 }
 
 system.addEventListener("change", apply);

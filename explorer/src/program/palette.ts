@@ -8,6 +8,7 @@ export const kindFills = {
   "creak": { ground: "#004488", texture: "falling", mark: "#6F9CCC" },
   "undecided": { ground: "#FFFFFF", texture: "dots", mark: "#666666" },
   "none (sticks)": { ground: "#C4CCD4", texture: "plain", mark: "#C4CCD4" },
+  "locks": { ground: "#9AA2AB", texture: "crossed", mark: "#4A525C" },
   "failed": { ground: "#FFFFFF", texture: "crossed", mark: "#888888" },
 } as const;
 

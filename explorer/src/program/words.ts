@@ -25,11 +25,11 @@ export const categories = ["none", "squeal", "squeak", "creak", "undecided"] as 
 export type Category = (typeof categories)[number];
 
 /** Why nothing is heard. */
-export const quietReasons = ["slides", "sticks"] as const;
+export const quietReasons = ["slides", "sticks", "locks"] as const;
 export type QuietReason = (typeof quietReasons)[number];
 
 /** What each number in a chart's frame stands for; 255: no result. */
-export const chartKinds = ["none", "squeal", "squeak", "creak", "undecided", "none (sticks)"] as const;
+export const chartKinds = ["none", "squeal", "squeak", "creak", "undecided", "none (sticks)", "locks"] as const;
 export type ChartKind = (typeof chartKinds)[number];
 
 /** A category, or why there is none. */
@@ -43,6 +43,7 @@ export const verdictWords = [
   "step_limit",
   "diverged",
   "failed",
+  "locks",
 ] as const;
 export type VerdictWord = (typeof verdictWords)[number];
 

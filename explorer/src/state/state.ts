@@ -61,8 +61,15 @@ export function body(design: Design): { preset: string; set: string[] } {
   return { preset: design.preset, set: overrides(design) };
 }
 
+/** Sets values after all others. A key without a joint's name is that of all joints, and takes the place of theirs. */
 export function withValues(design: Design, values: Record<string, string>): Design {
-  return { preset: design.preset, set: { ...design.set, ...values } };
+  const keys = Object.keys(values);
+  const isReplaced = (key: string): boolean => {
+    const inner = key.replace(/^joint\.[^.]+\.(?=contact\.)|(?<=^joint\.)[^.]+\.(?=[^.]+$)/, "");
+    return keys.includes(key) || keys.includes(inner);
+  };
+  const kept = withoutKeys(design, Object.keys(design.set).filter(isReplaced));
+  return { ...kept, set: { ...kept.set, ...values } };
 }
 
 export function withoutKeys(design: Design, keys: readonly string[]): Design {

@@ -8,6 +8,7 @@ export class Asked<Wish, Answer> {
   readonly note = h("p", { class: "note", role: "status" });
   answer: Answer | null = null;
   private key_ = "";
+  private shown_: Wish | null = null; // what the answer is to
   private readonly requests_: Latest<Wish>;
 
   constructor(
@@ -21,6 +22,7 @@ export class Asked<Wish, Answer> {
         const answer = await work(wish, signal);
         if (signal.aborted) return;
         this.answer = answer;
+        this.shown_ = wish;
         setText(this.note, "");
         this.take_(answer, wish);
       } catch (error) {
@@ -39,6 +41,11 @@ export class Asked<Wish, Answer> {
     if (key === this.key_) return;
     this.key_ = key;
     this.requests_.askNow(wish);
+  }
+
+  /** Shows the last answer anew. */
+  again(): void {
+    if (this.answer !== null && this.shown_ !== null) this.take_(this.answer, this.shown_);
   }
 
   forget(): void {

@@ -1,11 +1,12 @@
 /** Which parameters the chart's axes are, between which ends, and what it shows. */
 import * as api from "../data/api.ts";
+import { isOfJoints } from "../data/cases.ts";
 import type { Case, Start } from "../data/types.ts";
-import { button, h, select, setOptions } from "../draw/dom.ts";
-import { number, plain, quantity, symbolText, title, words } from "../draw/format.ts";
+import { button, h, menu, select, setOptions } from "../draw/dom.ts";
+import { number, plain, quantity, symbolText, title, withUnit, words } from "../draw/format.ts";
 import type { Axis, State } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
-import { variedIn } from "./parameters.ts";
+import { rangesOf, variedIn } from "./parameters.ts";
 
 type Name = "x" | "y";
 
@@ -55,31 +56,37 @@ export class AxisControls {
     );
   }
 
-  /** The axis of a parameter between its usual ends. */
+  /** The axis of a parameter over the range in which the case varies it. */
   whole(axis: Axis): Axis {
-    return { ...axis, ...this.known_.find(({ key }) => key === axis.parameter)?.usual };
+    return { ...axis, ...this.known_.find(({ key }) => key === axis.parameter)?.range };
   }
 
   show(state: State, resolved: Case): void {
-    const known = (this.known_ = variedIn(resolved, this.start_.fields));
+    const known = (this.known_ = variedIn(resolved, this.start_.fields, rangesOf(this.start_, state.design.preset)));
     const options = known.map(
       ({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const,
     );
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
       const row = this.rows_[name];
+      const all = isOfJoints(resolved, axis.parameter) ? "all: " : "";
       const extra = known.some(({ key }) => key === axis.parameter)
         ? []
-        : [[axis.parameter, title(axis.parameter)] as const];
+        : [[axis.parameter, all + title(axis.parameter)] as const];
       setOptions(row.parameter, [...options, ...extra]);
       row.parameter.value = axis.parameter;
       row.scale.value = axis.scale;
-      const unit = known.find(({ key }) => key === axis.parameter)?.unit ?? "";
+      const unit = this.unit_(axis);
       for (const end of ["from", "to"] as const)
         if (document.activeElement !== row[end])
-          row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
+          row[end].value = row[end].defaultValue = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
     }
     this.figure_.value = state.figure;
+  }
+
+  private unit_({ parameter }: Axis): string {
+    const field = this.start_.fields.find(({ key }) => key === parameter);
+    return field?.kind === "quantity" ? field.unit : "";
   }
 
   private row_(name: Name): AxisRow {
@@ -123,12 +130,7 @@ export class AxisControls {
       this.store_.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
     });
     points.value = "64";
-    return h(
-      "details",
-      { class: "drop" },
-      h("summary", {}, "Range"),
-      h("div", { class: "sheet" }, line("x"), line("y"), points),
-    );
+    return menu("Range", h("div", { class: "sheet" }, line("x"), line("y"), points));
   }
 
   private choose_(name: Name, key: string): void {
@@ -141,7 +143,9 @@ export class AxisControls {
   private async move_(name: Name, which: "from" | "to", input: HTMLInputElement): Promise<void> {
     const axis = this.store_.state[name];
     try {
-      const next = { ...axis, [which]: number(input.value) ?? (await api.value(axis.parameter, input.value)) };
+      const unit = this.unit_(axis);
+      const text = withUnit(input.value, unit, axis[which]);
+      const next = { ...axis, [which]: number(text) ?? (await api.value(axis.parameter, text)) };
       if (!(next.from < next.to)) throw Error(`The ${name} axis must rise from one end to the other.`);
       if (axis.scale === "log" && next.from <= 0) throw Error("A log axis begins above 0.");
       input.setAttribute("aria-invalid", "false");

@@ -1,15 +1,15 @@
 /** The chart: two directions side by side, streamed as it is refined, followed while a slider is dragged. */
 import * as api from "../data/api.ts";
-import { valueIn } from "../data/cases.ts";
-import { merged, type ChartData } from "../data/chart_data.ts";
+import { isOfJoints, jointsOf, valueIn } from "../data/cases.ts";
+import { computedIn, merged, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case, ChartFrame, Simulation, Start } from "../data/types.ts";
 import { button, h, setText } from "../draw/dom.ts";
-import { between, exact, plain, quantity, symbolText, title, unitText, words } from "../draw/format.ts";
-import { paintMap, type Look } from "../draw/map.ts";
+import { between, exact, plain, quantity, symbolText, title, unitText, words, writtenIn } from "../draw/format.ts";
+import { paintMap, type Look, type Mark } from "../draw/map.ts";
 import { holds, nearest, widened, zoomed } from "../draw/scale.ts";
 import type { Surface } from "../draw/surface.ts";
-import { onTheme, palette } from "../draw/theme.ts";
+import { onLook, palette } from "../draw/theme.ts";
 import { steadyDrives, type Direction } from "../program/words.ts";
 import { chartDesign, withValues, type Axis, type State } from "../state/state.ts";
 import type { Step, Store } from "../state/store.ts";
@@ -17,7 +17,7 @@ import { AxisControls } from "./axis_controls.ts";
 import { ChartPanel, type PanelOwner } from "./chart_panel.ts";
 import { ChartReadout, type Cell } from "./chart_readout.ts";
 import { Legend } from "./legend.ts";
-import { quantityOf } from "./parameters.ts";
+import { quantitiesOf, quantityOf } from "./parameters.ts";
 import { phaseOf } from "./verdict.ts";
 
 const stepPause = 1500; // [ms] arrow keys within it are one step of the history
@@ -37,6 +37,7 @@ export class Chart implements PanelOwner {
   private readonly status_ = h("span", { id: "chart-status", class: "muted" });
   private readonly problem_ = h("p", { class: "complaint", hidden: true, role: "alert" });
   private readonly outside_ = h("p", { class: "outside", id: "outside", role: "status", hidden: true });
+  private readonly gaps_ = h("p", { class: "outside", id: "gaps", role: "status", hidden: true });
   private readonly panels_: ChartPanel[];
   private readonly readout_: ChartReadout;
   private readonly controls_: AxisControls;
@@ -62,21 +63,31 @@ export class Chart implements PanelOwner {
     this.controls_ = new AxisControls(store_, start_, () => this.unzoom(), complain);
     this.panels_ = (["going", "coming"] as const).map((direction) => new ChartPanel(direction, this));
     this.readout_ = new ChartReadout(
-      () => this.data_ && { data: this.data_, figure: store_.state.figure, resolved: this.resolved_ },
+      () => {
+        const { figure } = store_.state;
+        return this.data_ && { data: this.data_, figure, unit: this.figureUnit_(), resolved: this.resolved_ };
+      },
       (cell) => (store_.isDragging ? null : withValues(store_.state.design, this.valuesOf_(cell))),
     );
     this.box_.append(...this.panels_.map(({ surface: { canvas } }) => h("div", { class: "map" }, canvas)));
     this.element = h(
       "section",
       { "class": "panel chart", "aria-label": "Noise chart" },
-      h("div", { class: "heading" }, h("h2", {}, "Noise chart"), this.status_, this.controls_.element),
-      this.problem_,
-      this.outside_,
+      h(
+        "div",
+        { class: "above" },
+        h("div", { class: "heading" }, h("h2", {}, "Noise chart"), this.status_, this.controls_.element),
+        this.problem_,
+        this.outside_,
+        this.gaps_,
+      ),
       this.box_,
       h("div", { class: "under" }, this.legend_.element, this.readout_.element),
     );
-    onTheme(() => this.repaint());
-    new ResizeObserver(() => this.box_.classList.toggle("stacked", this.box_.clientWidth < 430)).observe(this.box_);
+    onLook(() => this.repaint());
+    const stack = ({ clientWidth, clientHeight } = this.box_): boolean =>
+      this.box_.classList.toggle("stacked", clientWidth < 430 && clientHeight > 300);
+    new ResizeObserver(() => stack()).observe(this.box_);
   }
 
   get current(): ChartData | null {
@@ -144,6 +155,8 @@ export class Chart implements PanelOwner {
     this.seek_();
     for (const { surface } of this.panels_) surface.invalidate();
     this.legend_.show(this.data_, this.store_.state.figure, this.start_);
+    this.gaps_.hidden = !this.data_?.gaps;
+    setText(this.gaps_, `Cells without a result, such as: ${gapText(this.data_?.gaps ?? "")}`);
   }
 
   /** Paints both directions with a palette of one's own, for a picture to keep. */
@@ -156,20 +169,35 @@ export class Chart implements PanelOwner {
     const stacked = this.box_.classList.contains("stacked");
     return {
       palette: palette(),
-      title: direction === "going" ? "going (V > 0)" : "coming (V < 0)",
+      title: (direction === "going" ? "going (V > 0)" : "coming (V < 0)") + this.soFar_(direction),
       xTitle: this.axisTitle_(state.x),
       yTitle: direction === "going" || stacked ? this.axisTitle_(state.y) : "",
       chosen: direction === state.direction,
     };
   }
 
-  /** Of a figure, its name and ends, so that a picture alone says what it shows. */
-  range(): string {
+  /** Of a figure, its name and ends, and how far the chart is, so that a picture alone says what it shows. */
+  caption(): string {
+    const { computed, total } = this.box_.dataset;
+    return this.range_() + (this.data_?.done === false ? `, ${computed} of ${total} cells computed` : "");
+  }
+
+  private figureUnit_(): string {
+    return this.start_.figures.find(({ name }) => name === this.store_.state.figure)?.unit ?? "";
+  }
+
+  private range_(): string {
     if (!this.data_?.figure) return "";
     const { figure } = this.store_.state;
-    const unit = this.start_.figures.find(({ name }) => name === figure)?.unit ?? "";
+    const unit = this.figureUnit_();
     const [low, high] = this.data_.figureRange;
     return `: ${words(figure)} ${between(low, high, unit, " to ")}`;
+  }
+
+  // a chart on its way is computed one direction after the other where each has runs of its own
+  private soFar_(direction: Direction): string {
+    const { data_: data } = this;
+    return !data || data.done ? "" : `: ${computedIn(data, direction) || "no"} cells so far`;
   }
 
   private wish_(state: State, preview: boolean): api.ChartWish {
@@ -179,9 +207,10 @@ export class Chart implements PanelOwner {
 
   private axisTitle_(axis: Axis): string {
     const field = this.start_.fields.find(({ key }) => key === axis.parameter);
-    const unit = unitText(this.unit_(axis));
+    const unit = unitText(writtenIn(this.unit_(axis), axis.to).unit);
     const sign = field?.symbol ? ` ${symbolText(field.symbol)}` : "";
-    return title(axis.parameter) + sign + (unit ? ` [${unit}]` : "");
+    const whose = isOfJoints(this.resolved_, axis.parameter) ? " of all joints" : "";
+    return title(axis.parameter) + sign + whose + (unit ? ` [${unit}]` : "");
   }
 
   private async fetch_(wish: api.ChartWish, signal: AbortSignal, shown: () => void): Promise<void> {
@@ -196,14 +225,17 @@ export class Chart implements PanelOwner {
         this.problem_.hidden = true;
         this.note_(frame, wish, performance.now() - began);
         for (const { surface } of this.panels_) surface.draw();
-        this.legend_.show(data, wish.figure, this.start_);
+        this.repaint();
         shown();
       }
+      if (!data?.done && !signal.aborted) throw Error("The program ended before the chart was complete.");
     } catch (error) {
       if (!api.isAbort(error)) {
         this.problem_.hidden = false;
         const isCut = performance.now() - began > longestAnswer && !(error instanceof api.Failure);
         setText(this.problem_, isCut ? tooLong : api.sentence(error));
+        const { computed, total } = this.box_.dataset;
+        if (this.data_?.done === false) setText(this.status_, `${computed} of ${total} cells run · stopped`);
         this.shownKey_ = "";
       }
     } finally {
@@ -227,13 +259,27 @@ export class Chart implements PanelOwner {
     );
   }
 
-  design(): { x: number; y: number } {
+  design(): Mark {
+    return this.marks()[0] as Mark;
+  }
+
+  /** Where the design lies; of several joints with different values each one, with the names of those there. */
+  marks(): Mark[] {
     const { state } = this.store_;
-    const on = ({ parameter }: Axis): number => {
-      const value = quantityOf(state, this.resolved_, parameter);
-      return parameter === "drive.velocity" ? Math.abs(value) : value; // its sign is the direction
+    const on = ({ parameter }: Axis): number[] => {
+      const values = quantitiesOf(state, this.resolved_, parameter);
+      return parameter === "drive.velocity" ? values.map(Math.abs) : values; // its sign is the direction
     };
-    return { x: on(state.x), y: on(state.y) };
+    const [x, y] = [on(state.x), on(state.y)];
+    const joints = jointsOf(this.resolved_).map(({ name }) => name);
+    const marks: Mark[] = [];
+    (joints.length > 0 ? joints : [""]).forEach((name, k) => {
+      const mark = { name, x: x[k] ?? x[0] ?? NaN, y: y[k] ?? y[0] ?? NaN };
+      const same = marks.find((each) => each.x === mark.x && each.y === mark.y);
+      if (same) same.name += `, ${name}`;
+      else marks.push(mark);
+    });
+    return marks.length > 1 ? marks : marks.map((mark) => ({ ...mark, name: "" }));
   }
 
   hovered({ direction, hover }: ChartPanel): void {
@@ -310,9 +356,16 @@ export class Chart implements PanelOwner {
     const here = this.design();
     for (const panel of this.panels_) {
       const phase = phaseOf(simulation, panel.direction);
-      const at = `${words(x.parameter)} ${plain(here.x)}, ${words(y.parameter)} ${plain(here.y)}`;
+      const part = (axis: Axis, value: number): string =>
+        `${words(axis.parameter)} ${quantity(value, this.unit_(axis))}`;
+      const at = `${part(x, here.x)}, ${part(y, here.y)}`;
       const label = `Noise chart, ${panel.direction}. Cell at ${at}: ${phase?.verdict.category ?? "no result"}`;
       panel.surface.canvas.setAttribute("aria-label", label);
     }
   }
+}
+
+/** What is wrong with a cell and why, without what to do about one; numbers with few digits. */
+function gapText(message: string): string {
+  return message.replace(/\)[^)]*$/, ")").replace(/\d+\.\d{5,}/g, (digits) => plain(Number(digits)));
 }

@@ -1,7 +1,17 @@
 /** The map of one direction: its canvas, what is under the pointer, and what hands do on it. */
 import type { ChartData } from "../data/chart_data.ts";
 import { h } from "../draw/dom.ts";
-import { cellAt, cellBox, paintDesign, paintFrame, paintMap, plotBox, shareAt, type Look } from "../draw/map.ts";
+import {
+  cellAt,
+  cellBox,
+  paintDesign,
+  paintFrame,
+  paintMap,
+  plotBox,
+  shareAt,
+  type Look,
+  type Mark,
+} from "../draw/map.ts";
 import { surface, type Surface } from "../draw/surface.ts";
 import type { Direction } from "../program/words.ts";
 
@@ -9,8 +19,8 @@ import type { Direction } from "../program/words.ts";
 export interface PanelOwner {
   readonly current: ChartData | null;
   lookOf(direction: Direction): Look;
-  /** Where the design is on the axes. */
-  design(): { x: number; y: number };
+  /** Where the design is on the axes; of several joints with different values each. */
+  marks(): Mark[];
   hovered(panel: ChartPanel): void;
   choose(direction: Direction, cell: { ix: number; iy: number }): void;
   zoom(across: [number, number], up: [number, number]): void;
@@ -53,7 +63,7 @@ export class ChartPanel {
     const look = this.owner_.lookOf(this.direction);
     const box = plotBox(this.surface, look);
     paintMap(this.surface, data, this.direction, look);
-    paintDesign(this.surface, box, data, this.owner_.design(), look);
+    this.owner_.marks().forEach((mark, k) => paintDesign(this.surface, box, data, mark, k, look));
     if (this.drag_) {
       const { x0, y0, x1, y1 } = this.drag_;
       const area = {

@@ -1,7 +1,7 @@
 /** What the chart says of the cell under the pointer: what it knows at once, and figures of a run after a rest. */
 import * as api from "../data/api.ts";
 import { rubbing } from "../data/cases.ts";
-import type { ChartData } from "../data/chart_data.ts";
+import { isAwaited, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case } from "../data/types.ts";
 import { h, setText } from "../draw/dom.ts";
@@ -24,6 +24,7 @@ export interface Cell {
 export interface Shown {
   data: ChartData;
   figure: string;
+  unit: string; // of the figure
   resolved: Case;
 }
 
@@ -80,12 +81,14 @@ export class ChartReadout {
   }
 }
 
-function cellText({ data, figure }: Shown, { direction, ix, iy }: Cell): string {
+function cellText({ data, figure, unit }: Shown, { direction, ix, iy }: Cell): string {
   const index = indexOf(data, direction, ix, iy);
   const part = (axis: ChartData["x"], i: number): string =>
     `${words(axis.parameter)} ${quantity(axis.values[i], axis.unit)}`;
+  const where = [direction, part(data.x, ix), part(data.y, iy)];
+  if (isAwaited(data, index)) return [...where, "not computed yet"].join(" · ");
   const category = chartKinds[data.category[index] as number] ?? "no result";
-  const value = data.figure ? `${words(figure)} ${plain(data.figure[index] as number)}` : "";
+  const value = data.figure ? `${words(figure)} ${quantity(data.figure[index], unit)}` : "";
   const source = data.computed ? (data.computed[index] ? "" : "inferred") : "";
-  return [direction, part(data.x, ix), part(data.y, iy), category, value, source].filter(Boolean).join(" · ");
+  return [...where, category, value, source].filter(Boolean).join(" · ");
 }

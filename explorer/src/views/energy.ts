@@ -2,6 +2,7 @@
 import { rubbing } from "../data/cases.ts";
 import { worstFirst } from "../data/interfaces.ts";
 import type { Case, InterfaceResult, PhaseResult, Simulation } from "../data/types.ts";
+import { kindOf, wordOf } from "../draw/colours.ts";
 import { h } from "../draw/dom.ts";
 import { level, percent, plain, quantity, words } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";
@@ -61,7 +62,7 @@ function reasons(result: PhaseResult, resolved: Case): HTMLElement {
   const { phase, verdict } = result;
   const isPlate = rubbing(resolved) === "joint";
   const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
-  paintSwatch(swatch, verdict.category);
+  paintSwatch(swatch, kindOf(verdict));
   const rows = verdict.margins.map((margin) =>
     h(
       "tr",
@@ -88,8 +89,9 @@ function reasons(result: PhaseResult, resolved: Case): HTMLElement {
     "div",
     { class: "card" },
     h("h3", {}, phase),
-    h("p", { class: "entry" }, swatch, h("strong", {}, verdict.category)),
+    h("p", { class: "entry" }, swatch, h("strong", {}, wordOf(verdict))),
     h("ul", {}, ...verdict.reasons.map((text) => h("li", {}, text))),
+    ...verdict.warnings.map((text) => h("p", { class: "note" }, `Warning: ${text}`)),
     h("table", {}, h("tbody", {}, ...rows)),
     h("dl", {}, ...figures.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])),
   );
@@ -114,7 +116,7 @@ function contacts(result: PhaseResult): HTMLElement {
   const rows = worstFirst(result).map(({ name, verdict, load }) => {
     const shares = verdict?.judged_rates;
     const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
-    paintSwatch(swatch, verdict?.category ?? "none");
+    paintSwatch(swatch, verdict ? kindOf(verdict) : "none");
     const numbers = [
       percent(shares?.slip),
       percent(shares?.stick),
@@ -128,7 +130,7 @@ function contacts(result: PhaseResult): HTMLElement {
       "tr",
       { "data-contact": name },
       h("th", { scope: "row" }, name),
-      h("td", {}, swatch, verdict?.category ?? "carries nothing"),
+      h("td", {}, swatch, verdict ? wordOf(verdict) : "carries nothing"),
       ...numbers.map((text) => h("td", { class: "number" }, text)),
     );
   });

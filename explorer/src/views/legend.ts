@@ -1,5 +1,5 @@
 /** What the chart's colours mean: swatches of categories, or a scale of the figure. */
-import type { ChartData } from "../data/chart_data.ts";
+import { isAwaited, type ChartData } from "../data/chart_data.ts";
 import type { Start } from "../data/types.ts";
 import { sequential } from "../draw/colours.ts";
 import { h } from "../draw/dom.ts";
@@ -11,22 +11,27 @@ export class Legend {
   private shown_ = "";
 
   show(data: ChartData | null, figure: string, start: Start): void {
-    const key = data?.figure ? `${figure} ${data.figureRange.join(" ")}` : `categories ${hasGaps(data)}`;
+    const key = data?.figure
+      ? `${figure} ${data.figureRange.join(" ")} ${isWaiting(data)}`
+      : `categories ${hasGaps(data)} ${isWaiting(data)}`;
     const theme = document.documentElement.dataset.theme ?? "";
     if (this.shown_ === key + theme) return;
     this.shown_ = key + theme;
     if (data?.figure) this.scale_(data, figure, start);
-    else this.swatches_(hasGaps(data));
+    else this.swatches_(hasGaps(data), isWaiting(data));
   }
 
-  private swatches_(gaps: boolean): void {
-    const names = ["none", "none (sticks)", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
+  private swatches_(gaps: boolean, waits: boolean): void {
+    const quiet = ["none", "none (sticks)", "locks"];
+    const names = [...quiet, "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
+    const pale = waits ? h("span", { class: "entry muted" }, "pale: not computed yet") : "";
     this.element.replaceChildren(
       ...names.map((name) => {
         const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
         paintSwatch(swatch, name);
         return h("span", { class: "entry" }, swatch, name === "failed" ? "no result" : name);
       }),
+      pale,
     );
   }
 
@@ -45,8 +50,13 @@ export class Legend {
       bar,
       h("span", { class: "entry" }, quantity(high, unit)),
       unit.startsWith("dB") ? h("span", { class: "muted" }, "vibration, not sound pressure") : "",
+      isWaiting(data) ? h("span", { class: "entry muted" }, "pale: not computed yet") : "",
     );
   }
+}
+
+function isWaiting(data: ChartData | null): boolean {
+  return data !== null && data.category.some((_, index) => isAwaited(data, index));
 }
 
 function hasGaps(data: ChartData | null): boolean {

@@ -3,7 +3,7 @@ import * as api from "../data/api.ts";
 import type { Library, LibraryEntry } from "../data/answer_types.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { quantity, words } from "../draw/format.ts";
-import { paintSwatch } from "../draw/theme.ts";
+import { onLook, paintSwatch } from "../draw/theme.ts";
 import type { Store } from "../state/store.ts";
 import { Asked } from "./asked.ts";
 import { describe } from "./listen.ts";
@@ -33,6 +33,7 @@ export class LibraryView implements ViewPart {
       "oninput": () => this.list_(),
     });
     this.slot_.clear();
+    onLook(() => this.list_());
     this.element = h(
       "div",
       { class: "library" },

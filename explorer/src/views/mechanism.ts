@@ -12,7 +12,7 @@ import { columnOf } from "../draw/lane_specs.ts";
 import { paintRubbingSystem } from "../draw/rubbing_system.ts";
 import type { paintStructure } from "../draw/structure_drawing.ts";
 import { surface, type Surface } from "../draw/surface.ts";
-import { onTheme } from "../draw/theme.ts";
+import { onLook } from "../draw/theme.ts";
 import type { Direction } from "../program/words.ts";
 import { Clock, slowness } from "../state/clock.ts";
 import type { Shown } from "../state/shown.ts";
@@ -91,7 +91,7 @@ export class Mechanism {
       this.readout_,
     );
     clock.listen(() => this.follow_());
-    onTheme(() => this.surface_.invalidate());
+    onLook(() => this.surface_.invalidate());
   }
 
   show(motion: Motion, simulation: Simulation, direction: Direction): void {
@@ -213,7 +213,7 @@ export class Mechanism {
     const magnified = plain(this.unit_ * 2.6e-4, 2); // a CSS pixel is 0.26 mm
     const told = [
       `t = ${(this.clock.time * 1000).toFixed(2)} ms`,
-      `V = ${moment.at("surface_velocity").toFixed(3)} m/s`,
+      `V = ${quantity(moment.at("surface_velocity"), "m/s", 3)}`,
       `N = ${quantity(moment.at("normal_force"), "N", 3)}`,
       `T = ${quantity(moment.at("friction_force"), "N", 3)}`,
       `drawn × ${magnified}`,

@@ -3,11 +3,11 @@ import * as api from "../data/api.ts";
 import type { Stability, StabilityDirection } from "../data/answer_types.ts";
 import type { QuantityField, Start } from "../data/types.ts";
 import { h, select, setOptions, setText } from "../draw/dom.ts";
-import { plain, quantity, symbolText, title, unitText } from "../draw/format.ts";
+import { plain, quantity, symbolText, title, unitText, writtenIn } from "../draw/format.ts";
 import { Plot, type Curve } from "../draw/plot.ts";
 import type { Design } from "../state/state.ts";
 import { Asked } from "./asked.ts";
-import { quantityOf, variedIn } from "./parameters.ts";
+import { quantityOf, rangesOf, variedIn } from "./parameters.ts";
 import type { Context, ViewPart } from "./views.ts";
 
 const most = 4; // branches that are drawn
@@ -58,19 +58,21 @@ export class Modes implements ViewPart {
     this.last_ = context;
     const { simulation, state } = context;
     if (!simulation || context.step === "drag") return;
-    const known = variedIn(simulation.case, this.start_.fields).filter(({ key }) => !key.startsWith("drive."));
+    const ranges = rangesOf(this.start_, state.design.preset);
+    const varied = variedIn(simulation.case, this.start_.fields, ranges);
+    const known = varied.filter(({ key }) => !key.startsWith("drive."));
     if (!known.some(({ key }) => key === this.key_)) this.key_ = known[0]?.key ?? this.key_;
     setOptions(
       this.over_,
       known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]),
     );
     this.over_.value = this.key_;
-    const usual = known.find(({ key }) => key === this.key_)?.usual ?? { from: 0, to: 1 };
-    let { to } = usual;
+    const range = known.find(({ key }) => key === this.key_)?.range ?? { from: 0, to: 1 };
+    let { to } = range;
     // mu_d may not exceed mu_s
     if (this.key_ === "contact.kinetic_friction")
       to = Math.min(to, quantityOf(state, simulation.case, "contact.static_friction"));
-    let { from } = usual;
+    let { from } = range;
     if (this.key_ === "contact.static_friction")
       from = Math.max(from, quantityOf(state, simulation.case, "contact.kinetic_friction"));
     this.asked_.ask({ design: state.design, over: { key: this.key_, from, to } });
@@ -84,13 +86,14 @@ export class Modes implements ViewPart {
     const direction = answer.directions.find((each) => each.direction === state.direction) ?? answer.directions[0];
     if (!direction || direction.points.length === 0) return;
     const field = this.start_.fields.find(({ key }) => key === this.key_) as QuantityField | undefined;
-    const x = direction.points.map(({ value }) => value);
-    const unit = unitText(field?.unit ?? "");
+    const written = writtenIn(field?.unit ?? "", direction.points.at(-1)?.value ?? 0);
+    const unit = unitText(written.unit);
+    const x = direction.points.map(({ value }) => value * written.factor);
     const xTitle = title(this.key_) + (unit ? ` [${unit}]` : "");
     const marks = [
       { x: quantityOf(state, simulation.case, this.key_), label: "now" },
       ...direction.boundaries.map(({ value, above }) => ({ x: value, label: above })),
-    ];
+    ].map((mark) => ({ ...mark, x: mark.x * written.factor }));
     this.frequency_.show({ x, xTitle, yTitle: "frequency [Hz]", marks, curves: branches(direction, "frequency") });
     this.growth_.show({
       x,

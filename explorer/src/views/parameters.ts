@@ -1,25 +1,26 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "../data/api.ts";
-import { hasStructure, jointKey, keyOfJoint, valueIn } from "../data/cases.ts";
+import { isOfJoints, jointKey, jointsOf, keyOfJoint, valueIn } from "../data/cases.ts";
 import type { ServerError } from "../data/answer_types.ts";
-import type { Case, Field, Preset, QuantityField, Section, Start } from "../data/types.ts";
+import type { Case, Field, Preset, QuantityField, Start } from "../data/types.ts";
 import { button, h, select, symbol } from "../draw/dom.ts";
 import {
   exact,
   number as plainNumber,
   quantity,
-  rounded,
   symbolParts,
   title,
   unitText,
+  withUnit,
   words,
 } from "../draw/format.ts";
-import { at, share } from "../draw/scale.ts";
+import type { Range } from "../draw/places.ts";
+import { holds } from "../draw/scale.ts";
 import { companions, dependants, needsFile } from "./companions.ts";
-import { withoutKeys, withValues, type State } from "../state/state.ts";
+import { withoutKeys, withValues, type Axis, type Design, type State } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
+import { Slider } from "./slider.ts";
 
-const steps = 1000;
 const folded = new Set(["run", "verdict"]);
 const sectionTitles: Record<string, string> = {
   joint: "Joint",
@@ -38,44 +39,36 @@ export function followsTemperature(resolved: Case, key: string): boolean {
   return typeof temperature === "object" && key in temperature;
 }
 
-type Usual = NonNullable<QuantityField["usual"]>;
-
-/** Between which values a quantity of a case is varied, if it is: of the temperature, over its table. */
-function usualOf(field: QuantityField, resolved: Case): Usual | null {
-  const { key, usual } = field;
-  const value = valueIn(resolved, key);
-  if (value === undefined || followsTemperature(resolved, key)) return null;
-  if (key !== "temperature.value") return hasStructure(resolved) ? reached(field, Number(value)) : (usual ?? null);
-  const at = (resolved.temperature as Section).at as number[];
-  return { from: at[0] as number, to: at.at(-1) as number, scale: "linear" };
+/** Between which values the program varies the quantities of a preset: around its own. */
+export function rangesOf(start: Start, preset: string): Preset["ranges"] {
+  return start.presets.find(({ name }) => name === preset)?.ranges ?? {};
 }
 
-/**
- * Usual values are those of rubber seals: a structure of another size varies its own by as much, and a quantity of a
- * builder, which has none, about what the file says.
- */
-function reached({ usual, section, low, high }: QuantityField, value: number): Usual | null {
-  const size = Math.abs(value);
-  if (!usual && (section !== "structure" || !(value > 0))) return null;
-  if (usual && (usual.scale === "linear" || size === 0)) return { ...usual, to: Math.max(usual.to, size) };
-  if (usual && size >= usual.from && size <= usual.to) return usual;
-  const reach = usual ? Math.sqrt(usual.to / usual.from) : 4;
-  const [from, to] = [Math.max(size / reach, low ?? 0), Math.min(size * reach, high ?? Infinity)];
-  return from > 0 ? { from, to, scale: "log" } : { from, to, scale: "linear" };
+/** The range of a quantity, if a case varies it; what its preset does not have is varied over its usual values. */
+function rangeOf({ key, usual }: QuantityField, resolved: Case, ranges: Preset["ranges"]): Range | null {
+  if (valueIn(resolved, key) === undefined || followsTemperature(resolved, key)) return null;
+  return ranges[key] ?? usual ?? null;
 }
 
 /** The quantities that can be varied in a case, with the values between which. */
-export function variedIn(resolved: Case, fields: readonly Field[]): (QuantityField & { usual: Usual })[] {
+export function variedIn(
+  resolved: Case,
+  fields: readonly Field[],
+  ranges: Preset["ranges"],
+): (QuantityField & { range: Range })[] {
   return fields.flatMap((field) => {
-    const usual = field.kind === "quantity" ? usualOf(field, resolved) : null;
-    return field.kind === "quantity" && usual ? [{ ...field, usual }] : [];
+    const range = field.kind === "quantity" ? rangeOf(field, resolved, ranges) : null;
+    return field.kind === "quantity" && range ? [{ ...field, range }] : [];
   });
 }
 
-/** What a preset begins with: its own chart, else the present axes, unless its case does not have them. */
-export function begun(start: Start, { name, case: resolved, chart }: Preset, { x, y }: State): Partial<State> {
-  const known = variedIn(resolved, start.fields).map(({ key }) => key);
-  const keeps = known.includes(x.parameter) && known.includes(y.parameter);
+/** What a preset begins with: its own chart, else the present axes, unless its case is not on them. */
+export function begun(start: Start, preset: Preset, { x, y }: State): Partial<State> {
+  const { name, case: resolved, chart } = preset;
+  const known = variedIn(resolved, start.fields, preset.ranges).map(({ key }) => key);
+  const isOn = (axis: Axis): boolean =>
+    known.includes(axis.parameter) && holds(axis, Math.abs(Number(valueIn(resolved, axis.parameter))));
+  const keeps = isOn(x) && isOn(y);
   const axes = keeps ? {} : { x: start.chart.x, y: start.chart.y };
   return { design: { preset: name, set: {} }, span: null, ...axes, ...chart };
 }
@@ -95,10 +88,17 @@ function follow({ field, element }: Row, isFollowing: boolean): void {
   }
 }
 
-/** The value that a design gives a quantity: what was set, else what the case holds. */
+/** The value that a design gives a quantity: what was set, else what the case holds; of several joints the first's. */
 export function quantityOf(state: State, resolved: Case, key: string): number {
-  const said = state.design.set[key];
-  return Number(said ?? valueIn(resolved, key));
+  return quantitiesOf(state, resolved, key)[0] ?? NaN;
+}
+
+/** That of each joint, where a key without a name is that of several; else of one. */
+export function quantitiesOf({ design: { set } }: State, resolved: Case, key: string): number[] {
+  const joints = isOfJoints(resolved, key) ? jointsOf(resolved) : [];
+  const own = joints.map(({ name }) => keyOfJoint(name, key));
+  if (own.length === 0) return [Number(set[key] ?? valueIn(resolved, key))];
+  return own.map((each) => Number(set[each] ?? set[key] ?? valueIn(resolved, each)));
 }
 
 /** The heading above the fields of a section; of one of several joints with its name. */
@@ -149,15 +149,17 @@ export class Parameters {
     );
   }
 
-  /** Shows a design whose resolved case is known; rows that mean nothing for it are hidden. */
-  show(state: State, resolved: Case): void {
+  /** Shows a design. The resolved case is of it, or of one before it (`of`). Rows that mean nothing are hidden. */
+  show(state: State, resolved: Case, of: Design): void {
     this.resolved_ = resolved;
     for (const [name, input] of this.presets_) input.checked = name === state.design.preset;
     const preset = this.start_.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
     this.preset_ = preset;
     for (const row of this.rows_) {
       const { key } = row.field;
-      const value = state.design.set[key] ?? valueIn(resolved, key);
+      const isReset = state.design.set[key] === undefined && of.set[key] !== undefined;
+      const now = (isReset ? valueIn(preset, key) : undefined) ?? valueIn(resolved, key);
+      const value = state.design.set[key] ?? now;
       row.element.hidden = valueIn(resolved, key) === undefined && state.design.set[key] === undefined;
       row.element.classList.toggle("changed", state.design.set[key] !== undefined);
       if (value !== undefined) row.show(value, valueIn(preset, key));
@@ -215,6 +217,8 @@ export class Parameters {
 
   private set_(field: Field, value: string, step: "push" | "drag"): void {
     const { design } = this.store_.state;
+    const isOwn = field.kind === "quantity" && Number(value) === valueIn(this.preset_, field.key);
+    if (isOwn) return this.store_.update({ design: withoutKeys(design, [field.key]) }, step);
     const kept = field.kind === "choice" ? withoutKeys(design, dependantsOf(this.start_.fields, field.key)) : design;
     const needed = field.kind === "choice" ? this.companions_(field.key, value) : {};
     this.store_.update({ design: withValues(kept, { ...needed, [field.key]: value }) }, step);
@@ -252,11 +256,12 @@ export class Parameters {
       "aria-label": `${title(key)}, ${unitText(unit) || "no unit"}`,
     });
     const reset = this.resetButton_(field);
-    const isOfCase = key === "temperature.value" || field.section === "structure"; // its ends are the case's
-    const usual = field.usual ?? (isOfCase ? { from: 0, to: 1, scale: "linear" } : null);
-    const slider = usual ? new Slider(field, usual, (value, step) => this.set_(field, value, step)) : null;
+    const isOfCase = key === "temperature.value" || field.section === "structure"; // its range is the case's
+    const range = field.usual ?? (isOfCase ? { from: 0, to: 1, scale: "linear" } : null);
+    const slider = range ? new Slider(field, range, (value, step) => this.set_(field, value, step)) : null;
 
     let shown = "";
+    let size = 0; // of what is shown
     let refused = false; // text that the program did not take for a quantity
     const forgive = (): void => {
       if (refused) this.complain_(null);
@@ -264,20 +269,21 @@ export class Parameters {
     };
     const commit = (): void => {
       if (number.value === shown) return forgive();
-      const text = number.value;
+      const typed = number.value;
+      const text = withUnit(typed, unit, size);
       const value = plainNumber(text);
       if (value !== null) this.set_(field, exact(value), "push");
       else
         void api.value(key, text).then(
-          (meant) => take(text, meant),
+          (meant) => take(typed, meant),
           (error: unknown) => {
             refused = true;
             this.complain_(error);
           },
         );
     };
-    const take = (text: string, meant: number): void => {
-      if (number.value !== text) return; // typed over while it was read
+    const take = (typed: string, meant: number): void => {
+      if (number.value !== typed) return; // typed over while it was read
       number.value = "";
       this.set_(field, exact(meant), "push");
     };
@@ -300,10 +306,12 @@ export class Parameters {
     const show = (value: number | string, base: number | string | undefined): void => {
       const known = Number(value);
       shown = quantity(known, unit);
+      size = known;
       if (document.activeElement !== number || number.value === "") number.value = shown;
-      else if (plainNumber(number.value) === known) number.value = shown;
+      else if (plainNumber(withUnit(number.value, unit, known)) === known) number.value = shown;
       number.title = `${exact(known)} ${unitText(unit)}`.trim();
-      slider?.show(known, shown, usualOf(field, this.preset_));
+      const range = rangeOf(field, this.preset_, rangesOf(this.start_, this.store_.state.design.preset));
+      slider?.show(known, shown, base === undefined ? undefined : Number(base), range);
       reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;
     };
     return { field, element, show };
@@ -328,45 +336,6 @@ export class Parameters {
       picker.value = String(value);
     };
     return { field, element, show };
-  }
-}
-
-/** A slider over the usual values of a quantity, by its magnitude: the sign stays as it is. */
-class Slider {
-  readonly input: HTMLInputElement;
-  private sign_ = 1;
-
-  constructor(
-    field: QuantityField,
-    private usual_: Usual,
-    change: (value: string, step: "push" | "drag") => void,
-  ) {
-    this.input = h("input", {
-      "type": "range",
-      "min": 0,
-      "max": steps,
-      "step": 1,
-      "data-key": field.key,
-      "aria-label": field.sentence,
-    });
-    this.input.addEventListener("input", () => change(exact(this.value_()), "drag"));
-    this.input.addEventListener("change", () => change(exact(this.value_()), "push"));
-  }
-
-  show(value: number, text: string, usual: Usual | null): void {
-    if (usual) this.usual_ = usual;
-    const { from, to, scale } = this.usual_;
-    this.sign_ = value < 0 && from >= 0 ? -1 : 1;
-    const part = share(value * this.sign_, from, to, scale);
-    const place = String(Math.round(steps * Math.min(Math.max(Number.isFinite(part) ? part : 0, 0), 1)));
-    if (rounded(value) !== this.value_()) this.input.value = place;
-    this.input.setAttribute("aria-valuetext", text);
-    this.input.style.setProperty("--part", `${this.input.valueAsNumber / 10}%`);
-  }
-
-  private value_(): number {
-    const { from, to, scale } = this.usual_;
-    return this.sign_ * rounded(at(this.input.valueAsNumber / steps, from, to, scale));
   }
 }
 

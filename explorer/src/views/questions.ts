@@ -41,7 +41,7 @@ const verbs: Record<string, string> = {
   squeal: "squeals",
   squeak: "squeaks",
   creak: "creaks",
-  undecided: "does something that no rule names",
+  undecided: "is undecided, too near to a threshold,",
 };
 
 const does = (simulation: Simulation, direction: Direction): string => verbs[category(simulation, direction)] ?? "";
@@ -96,7 +96,8 @@ export const questions: readonly Question[] = [
       text: "Now drag kinetic friction μd up, slowly, until it makes a noise.",
       key: "contact.kinetic_friction",
       to: "0.6",
-      isDone: (shown, tried) => category(tried, "going") !== category(shown, "going"),
+      // between silence and noise lies a strip in which no category is certain
+      isDone: (_, tried) => !["none", "undecided"].includes(category(tried, "going")),
     },
     answer: (tried) => category(tried, "going"),
     says: (tried) =>

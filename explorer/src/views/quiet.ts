@@ -9,7 +9,7 @@ import type { QuantityField, Start } from "../data/types.ts";
 import { button, h, select, setOptions, setText, symbol } from "../draw/dom.ts";
 import { exact, number, percent, plain, quantity, symbolParts, title } from "../draw/format.ts";
 import { share } from "../draw/scale.ts";
-import { paintSwatch } from "../draw/theme.ts";
+import { onLook, paintSwatch } from "../draw/theme.ts";
 import { withValues, type Design } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
 import { Asked } from "./asked.ts";
@@ -43,6 +43,7 @@ export class Quiet implements ViewPart {
     this.quantities_ = start.fields.filter(
       (field): field is QuantityField => field.kind === "quantity" && field.usual !== null,
     );
+    onLook(() => this.asked_.again());
     this.element = h(
       "div",
       { class: "quiet-view" },
@@ -82,7 +83,8 @@ export class Quiet implements ViewPart {
       this.chance_,
       chance
         ? `${percent(chance.noise)} of such designs are noisy (${percent(chance.low)} to ${percent(chance.high)} ` +
-            `with ${percent(chance.confidence, 0)} confidence, ${chance.samples} runs)`
+            `with ${percent(chance.confidence, 0)} confidence, ${chance.samples} designs` +
+            `${chance.usual ? ", within the usual tolerances of parts" : ""})`
         : "Say how far parameters may stray, and the chance of noise is estimated.",
     );
   }
@@ -111,7 +113,8 @@ export class Quiet implements ViewPart {
     const say = (bound: AdviceMargin["below"], word: string): string =>
       bound ? `${bound.category} ${word} ${quantity(bound.value, margin.unit)}` : "";
     const text =
-      [say(margin.below, "below"), say(margin.above, "above")].filter(Boolean).join(", ") || `${here} all along`;
+      [say(margin.below, "below"), say(margin.above, "above")].filter(Boolean).join(", ") ||
+      `${here} at all ${margin.scan.length} values looked at`;
     const try_ = (bound: AdviceMargin["below"]): HTMLElement | null =>
       bound && bound.category === "none" && here !== "none"
         ? button(
@@ -136,6 +139,8 @@ export class Quiet implements ViewPart {
     const quietNow = advice.present.category === "none";
     const lines: (HTMLElement | null)[] = [
       h("h3", {}, quietNow ? "The design is quiet" : "The smallest change that keeps it quiet"),
+      h("p", { id: "standing" }, advice.headline),
+      advice.near?.turns.length ? h("ul", {}, ...advice.near.turns.map(turnLine)) : null,
     ];
     if (change) {
       const steps = change.set.map(({ key, from, to }) => {
@@ -150,14 +155,13 @@ export class Quiet implements ViewPart {
         h(
           "p",
           { class: "muted" },
-          `verified by ${change.verified.runs} runs: ${verified}; ` +
-            `${plain(change.distance, 3)} of the usual ranges away`,
+          `verified by ${change.verified.runs} runs: ${verified}; ` + `${plain(change.distance, 3)} of the ranges away`,
         ),
         button("Apply", () => this.apply_(change.set), { id: "apply-change", class: "primary" }),
         h("span", { class: "muted" }, " back undoes it"),
       );
     } else if (!quietNow) {
-      lines.push(h("p", {}, "None was found within the usual ranges."));
+      lines.push(h("p", {}, "None was found within the ranges beside the bars."));
     }
     const as = quietNow ? "noisy" : "quiet";
     const { nearest } = advice;
@@ -165,7 +169,7 @@ export class Quiet implements ViewPart {
       h(
         "p",
         { id: "nearest" },
-        `As a whole: ${nearest ? `nearest ${as} design ${plain(nearest.distance, 3)} away` : `no ${as} design found`}`,
+        `As a whole: ${nearest ? `nearest ${as} design ${nearestText(nearest)}` : `no ${as} design found`}`,
       ),
     );
     this.change_.dataset.preset = design.preset;
@@ -232,4 +236,17 @@ export class Quiet implements ViewPart {
 function rank(advice: Advice, key: string): number {
   const place = advice.ranking.indexOf(key);
   return place < 0 ? advice.ranking.length : place;
+}
+
+/** A change that ends the silence; its value in the units of the page. */
+function turnLine({ words, value, unit }: NonNullable<Advice["near"]>["turns"][number]): HTMLElement {
+  return h("li", {}, words.replace(/\(.*?\)/, `(${quantity(value, unit)})`));
+}
+
+/** "joint mass 100 g → 93.2 g, preload 20 N → 21 N (0.85 % of their ranges away)", of what the program names. */
+function nearestText({ words, set }: NonNullable<Advice["nearest"]>): string {
+  return words.replace(/[\w.-]+ \S+ -> \S+( [^\s,(]+)?/g, (text) => {
+    const step = set.find(({ key }) => text.startsWith(`${key} `));
+    return step ? `${title(step.key)} ${quantity(step.from, step.unit)} → ${quantity(step.to, step.unit)}` : text;
+  });
 }

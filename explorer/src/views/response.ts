@@ -5,11 +5,11 @@ import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
 import { contactAt, marginLeft, marginRight } from "../draw/bands.ts";
 import { contactColumn, isLaned, isOnPlate, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
-import { paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
+import { mostLanes, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
 import { paintPortrait } from "../draw/portrait.ts";
 import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
-import { onTheme, palette } from "../draw/theme.ts";
+import { onLook, palette } from "../draw/theme.ts";
 import type { Clock } from "../state/clock.ts";
 import type { Shown } from "../state/shown.ts";
 import type { Store } from "../state/store.ts";
@@ -74,7 +74,7 @@ export class Response implements ViewPart {
       this.describe_();
       this.repaint_();
     });
-    onTheme(() => this.repaint_());
+    onLook(() => this.repaint_());
   }
 
   show({ state }: Context): void {
@@ -241,16 +241,17 @@ export class Response implements ViewPart {
 
   private paint_(s: Surface): void {
     if (!this.trees_) return;
+    const { motion } = this.trees_;
     paintLanes(s, this.trees_, {
       span: this.shown_,
-      lanes: lanesOf(this.trees_.motion, this.wanted_, this.chosen_.contact),
+      lanes: lanesOf(motion, this.wanted_, this.chosen_.contact, mostLanes(motion, s.height)),
       chosen: this.chosen_.contact,
       playhead: this.clock_.time,
       hover: this.hover_,
       palette: palette(),
     });
     if (this.hover_ === null && this.clock_.playing)
-      setText(this.readout_, readAt(this.trees_.motion, this.clock_.time, this.chosen_.contact));
+      setText(this.readout_, readAt(motion, this.clock_.time, this.chosen_.contact));
     this.element.dataset.draws = String(Number(this.element.dataset.draws ?? 0) + 1);
   }
 

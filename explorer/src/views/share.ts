@@ -1,7 +1,7 @@
 /** Ways out of the page: link, command, TOML, picture, table, report. */
 import * as api from "../data/api.ts";
 import { hasStructure } from "../data/cases.ts";
-import type { ChartData } from "../data/chart_data.ts";
+import { isAwaited, type ChartData } from "../data/chart_data.ts";
 import type { Start } from "../data/types.ts";
 import { categoryAndQuiet, light } from "../draw/colours.ts";
 import { button, download, h, setText } from "../draw/dom.ts";
@@ -29,9 +29,9 @@ export class Share {
   ) {
     const entry = (label: string, id: string, hint: string, action: () => Promise<string> | string): HTMLElement =>
       button(label, () => void this.run_(action), { id, title: hint });
-    const sheet = h(
+    this.element = h(
       "div",
-      { class: "sheet" },
+      {},
       entry(
         "Copy link",
         "copy-link",
@@ -54,7 +54,6 @@ export class Share {
       this.note_,
     );
     this.paste_.addEventListener("change", () => void this.run_(() => this.open_(this.paste_.value.trim())));
-    this.element = h("details", { class: "drop", id: "share" }, h("summary", {}, "Share"), sheet);
   }
 
   /** A design that leans on no file of this machine. */
@@ -152,7 +151,7 @@ function paintPicture(chart: Chart): HTMLCanvasElement | null {
     pen.setTransform(ratio, 0, 0, ratio, k * width * ratio, 0);
     const surface = { canvas, pen, width, height, ratio, invalidate: () => {}, draw: () => {} } satisfies Surface;
     const onPage = chart.lookOf(direction);
-    const look = { ...onPage, title: onPage.title + chart.range(), palette: light, chosen: false };
+    const look = { ...onPage, title: onPage.title + chart.caption(), palette: light, chosen: false };
     if (plotBox(surface, look).width > 0) chart.paintOn(surface, direction, look);
   });
   return canvas;
@@ -171,9 +170,11 @@ export function table(data: ChartData, figure: string, header: readonly string[]
     data.y.values.forEach((y, iy) => {
       data.x.values.forEach((x, ix) => {
         const index = (d * data.y.points + iy) * data.x.points + ix;
-        const [category, quiet] = categoryAndQuiet(data.category[index] as number);
-        const source = data.computed ? (data.computed[index] ? "computed" : "inferred") : "";
-        const value = data.figure?.[index];
+        const awaited = isAwaited(data, index);
+        const [category, quiet] = awaited ? ["", ""] : categoryAndQuiet(data.category[index] as number);
+        const known = data.computed ? (data.computed[index] ? "computed" : "inferred") : "";
+        const source = awaited ? "not_computed" : known;
+        const value = awaited && data.figure ? NaN : data.figure?.[index];
         const shown = value === undefined ? [] : [Number.isFinite(value) ? String(value) : ""];
         lines.push([x, y, direction, category, quiet, source, ...shown].join(","));
       });

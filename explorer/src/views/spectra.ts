@@ -1,10 +1,11 @@
 /** What the motion sounds like, seen: spectrum, spectrogram and level of one direction. */
 import * as api from "../data/api.ts";
 import { heardIn } from "../data/cases.ts";
+import { nearestPeak, peaksOf, type Peak } from "../data/peaks.ts";
 import type { Analysis, ModalLines, SoundOptions } from "../data/answer_types.ts";
 import type { Case } from "../data/types.ts";
-import { h, select, setOptions } from "../draw/dom.ts";
-import { percent, plain, quantity, unitText } from "../draw/format.ts";
+import { h, select, setOptions, setText } from "../draw/dom.ts";
+import { inRow, percent, plain, quantity, unitText } from "../draw/format.ts";
 import { Plot } from "../draw/plot.ts";
 import { Spectrogram } from "../draw/spectrogram.ts";
 import type { Design } from "../state/state.ts";
@@ -59,15 +60,19 @@ export class SoundPicker {
   }
 }
 
+const mostPeaks = 5; // that are told
+
 export class Spectra implements ViewPart {
   readonly element: HTMLElement;
+  private readonly log_ = h("input", { type: "checkbox", id: "log-frequency", onchange: () => this.paint_() });
+  private readonly readout_ = h("p", { class: "readout", id: "peaks", role: "status" });
   private readonly picker_ = new SoundPicker(() => this.last_ && this.show(this.last_));
   private readonly spectrum_ = new Plot("Spectrum");
   private readonly level_ = new Plot("Level over time");
   private readonly spectrogram_ = new Spectrogram("Spectrogram");
   private readonly asked_ = new Asked<{ design: Design; options: SoundOptions }, Analysis>(
     ({ design, options }, signal) => api.analysis(design, options, signal),
-    (answer) => this.take_(answer),
+    () => this.paint_(),
   );
   private readonly modes_ = h("ul", { class: "lines", id: "modal-lines" });
   private readonly askedModes_ = new Asked<{ design: Design; of: string }, ModalLines>(
@@ -81,10 +86,18 @@ export class Spectra implements ViewPart {
   private last_: Context | null = null;
 
   constructor() {
+    this.log_.checked = true;
     this.element = h(
       "div",
       { class: "spectra" },
-      h("div", { class: "bar" }, this.picker_.element, this.asked_.note),
+      h(
+        "div",
+        { class: "bar" },
+        this.picker_.element,
+        h("label", { class: "check" }, this.log_, "log frequency"),
+        this.readout_,
+        this.asked_.note,
+      ),
       h("div", { class: "three" }, this.spectrum_.element, this.spectrogram_.element, this.level_.element),
       h(
         "details",
@@ -105,20 +118,32 @@ export class Spectra implements ViewPart {
     if (this.element.querySelector("details")?.open) this.askedModes_.ask({ design, of: this.picker_.options.of });
   }
 
-  private take_(answer: Analysis): void {
+  private paint_(): void {
+    const { answer } = this.asked_;
+    if (!answer) return;
     const { spectrum, level } = answer;
-    this.spectrogram_.show(answer.spectrogram);
+    const scale = this.log_.checked ? "log" : "linear";
+    const first = scale === "log" && spectrum.frequency[0] === 0 ? 1 : 0;
+    const peaks = peaksOf(spectrum.frequency, spectrum.level, mostPeaks);
+    const unit = unitText(spectrum.unit);
+    const tell = (told: readonly Peak[], word: string): void =>
+      setText(this.readout_, told.length > 0 ? `${word} [${unit}]: ${inRow(told.map(peakText))}` : "no peaks");
+    this.spectrogram_.show(answer.spectrogram, undefined, undefined, scale);
     this.spectrum_.show({
-      x: spectrum.frequency,
+      x: spectrum.frequency.slice(first),
       xTitle: "frequency [Hz]",
-      yTitle: unitText(spectrum.unit),
-      curves: [{ label: "level", colour: 0, values: spectrum.level }],
+      xScale: scale,
+      yTitle: unit,
+      yRange: yRangeOf(spectrum.level),
+      curves: [{ label: "level", colour: 0, values: spectrum.level.slice(first) }],
+      marks: peaks.slice(0, 1).map((peak) => ({ x: peak.frequency, label: peakText(peak) })),
+      point: (x) => {
+        const near = x === null ? undefined : nearestPeak(peaks, x);
+        tell(near ? [near] : peaks, near ? "peak here" : "peaks");
+      },
     });
-    const peak = peakOf(answer);
-    if (peak) {
-      const level = `${plain(peak.level, 3)} ${unitText(spectrum.unit)}`;
-      this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${level}`);
-    }
+    tell(peaks, "peaks");
+    this.spectrum_.describe(this.readout_.textContent ?? "");
     this.level_.show({
       x: level.time,
       xTitle: "time [s]",
@@ -134,10 +159,14 @@ function modalLine({ frequency, shares }: ModalLines["lines"][number]): HTMLElem
   return h("li", {}, h("b", {}, quantity(frequency, "Hz")), `: ${parts.join(", ")}`);
 }
 
-function peakOf({ spectrum }: Analysis): { frequency: number; level: number } | null {
-  let best: { frequency: number; level: number } | null = null;
-  spectrum.level.forEach((level, k) => {
-    if (level !== null && (!best || level > best.level)) best = { frequency: spectrum.frequency[k] ?? 0, level };
-  });
-  return best;
+/** The levels that matter: what lies more than 100 dB below the highest is not heard beside it. */
+function yRangeOf(levels: readonly (number | null)[]): [number, number] {
+  const known = levels.filter((level) => level !== null);
+  const top = 10 * Math.ceil((Math.max(...known, 0) + 5) / 10);
+  return [Math.max(top - 110, Math.min(...known, top - 10)), top];
+}
+
+/** "428.5 Hz 166.2 dB" */
+function peakText({ frequency, level }: Peak): string {
+  return `${plain(frequency)} Hz ${level.toFixed(1)} dB`;
 }

@@ -1,6 +1,8 @@
 /** The verdict on the present design: a chip per phase, announced to screen readers. */
-import { rubbing, valueIn } from "../data/cases.ts";
+import { jointsOf, rubbing, valueIn } from "../data/cases.ts";
+import { worstFirst } from "../data/interfaces.ts";
 import type { PhaseResult, Simulation } from "../data/types.ts";
+import { kindOf, silenceOf, wordOf } from "../draw/colours.ts";
 import { h, setText } from "../draw/dom.ts";
 import { level, percent, quantity } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";
@@ -19,30 +21,38 @@ export function phaseOf(simulation: Simulation, direction: Direction): PhaseResu
 }
 
 export class VerdictBar {
-  readonly element = h("div", { "id": "verdict", "class": "verdict", "aria-busy": "true" });
+  readonly element: HTMLElement;
+  private readonly chips_ = h("div", { "id": "verdict", "class": "verdict", "aria-busy": "true" });
   private readonly live_ = h("p", { "class": "unseen", "aria-live": "polite", "id": "announcement" });
+  private readonly headline_ = h("p", { class: "headline", id: "headline", role: "status" });
   private last_: Simulation | null = null;
 
-  constructor(private readonly choose_: (direction: Direction) => void) {}
+  constructor(private readonly choose_: (direction: Direction) => void) {
+    const note = h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure");
+    this.element = h("section", { "class": "judged", "aria-label": "Verdict" }, this.chips_, this.headline_, note);
+    this.element.append(this.live_);
+  }
 
-  get announcement(): HTMLElement {
-    return this.live_;
+  /** Says how the design stands, both ways and from every start; the chips are of one run. */
+  say(words: string): void {
+    setText(this.headline_, words);
   }
 
   busy(): void {
-    this.element.setAttribute("aria-busy", "true");
+    this.chips_.setAttribute("aria-busy", "true");
   }
 
   /** There is no verdict on the present design: the last one is not shown as if it were. */
   fail(): void {
     this.last_ = null;
     this.clear_();
-    this.element.replaceChildren(h("span", { class: "note" }, "no result"));
-    this.element.setAttribute("aria-busy", "false");
+    this.chips_.replaceChildren(h("span", { class: "note" }, "no result"));
+    this.say("");
+    this.chips_.setAttribute("aria-busy", "false");
   }
 
   private clear_(): void {
-    for (const name of ["going", "coming", "all"]) delete this.element.dataset[name];
+    for (const name of ["going", "coming", "all"]) delete this.chips_.dataset[name];
   }
 
   repaint(chosen: Direction): void {
@@ -54,22 +64,20 @@ export class VerdictBar {
     this.clear_();
     const chips = simulation.phases.map((result) => {
       const direction = directionOf(result, simulation);
-      this.element.dataset[direction] = result.verdict.category;
-      this.element.dataset[result.phase] = result.verdict.category;
-      return this.chip_(result, direction, chosen, rubbing(simulation.case));
+      this.chips_.dataset[direction] = result.verdict.category;
+      this.chips_.dataset[result.phase] = result.verdict.category;
+      const loudest = jointsOf(simulation.case).length > 1 ? worstFirst(result)[0]?.name : undefined;
+      return this.chip_(result, direction, chosen, loudest ?? rubbing(simulation.case));
     });
-    this.element.replaceChildren(
-      ...chips,
-      h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"),
-    );
-    this.element.setAttribute("aria-busy", "false");
+    this.chips_.replaceChildren(...chips);
+    this.chips_.setAttribute("aria-busy", "false");
     setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
 
   private chip_(result: PhaseResult, direction: Direction, chosen: Direction, what: string): HTMLElement {
     const { verdict } = result;
     const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
-    paintSwatch(swatch, verdict.quiet_because === "sticks" ? "none (sticks)" : verdict.category);
+    paintSwatch(swatch, kindOf(verdict));
     const chip = h(
       "button",
       {
@@ -79,6 +87,7 @@ export class VerdictBar {
         "aria-pressed": String(direction === chosen),
         "title": [
           ...verdict.reasons,
+          ...verdict.warnings.map((text) => `Warning: ${text}`),
           `${what}: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure`,
           "(click: regard this direction)",
         ].join("\n"),
@@ -86,7 +95,7 @@ export class VerdictBar {
       },
       swatch,
       h("span", { class: "phase" }, result.phase),
-      h("strong", {}, verdict.category),
+      h("strong", {}, wordOf(verdict)),
       h("span", { class: "detail" }, detail(result, what)),
       rates(result),
     );
@@ -96,8 +105,8 @@ export class VerdictBar {
 
 function detail(result: PhaseResult, rubs: string): string {
   const { verdict } = result;
-  const what = verdict.category === "none" ? (verdict.quiet_because ?? "") : quantity(verdict.frequency, "Hz");
-  return `${what} · ${rubs} ${level(verdict.levels.joint.level)}`;
+  const what = verdict.category === "none" ? silenceOf(verdict) : quantity(verdict.frequency, "Hz");
+  return [what, `${rubs} ${level(verdict.levels.joint.level)}`].filter(Boolean).join(" · ");
 }
 
 function rates(result: PhaseResult): HTMLElement {
@@ -122,7 +131,8 @@ function rates(result: PhaseResult): HTMLElement {
 function spoken(result: PhaseResult): string {
   const { verdict } = result;
   const name = result.phase === "all" ? "" : `${result.phase}: `;
-  const category = verdict.category === "none" ? `no noise, it ${verdict.quiet_because}` : verdict.category;
+  const silence = silenceOf(verdict) ? `no noise, it ${silenceOf(verdict)}` : "locks, which is no quiet design";
+  const category = verdict.category === "none" ? silence : verdict.category;
   const pitch = verdict.category !== "none" && verdict.frequency ? ` at ${quantity(verdict.frequency, "Hz", 3)}` : "";
   return name + category + pitch;
 }

@@ -147,6 +147,7 @@ test("simulations of every ending", async () => {
   ];
   const simulations = [];
   for (const design of designs) simulations.push(await answerOf("Simulation", "/api/simulate", design));
+  keptWhole("Margin", simulations[0].phases[0].verdict.margins[0]);
   keptWhole("Engine", { ...simulations[1].engine, ...simulations[2].engine });
   keptWhole("Verdict", simulations[2].phases[0].verdict);
   keptWhole("Outcome", Object.assign({}, ...simulations.map(({ outcome }) => outcome)));
@@ -240,6 +241,7 @@ test("sounds and recordings", async () => {
 test("values, shared cases, refusals", async () => {
   await answerOf("Value", "/api/value", { key: "contact.preload", text: "2 kN" });
   await answerOf("Shared", "/api/share", { preset: "squeal", set: ["contact.preload=35"] });
+  await answerOf("DesignAnswer", "/api/design", { preset: "quiet", set: [], around: true });
   const set = ["contact.preload=1e9", "joint.mass=-1"];
   const { error } = await answerOf("Refusal", "/api/simulate", { preset: "squeal", set });
   keptWhole("ServerError", error);

@@ -236,3 +236,162 @@ test("what follows the temperature says so, and the temperature slides over its 
     assert.equal(await warm.stop(), 0);
   }
 });
+
+/** A page on a lip as soft as a seal's, of which nothing stands in Table 1. */
+async function withSoftLip(use) {
+  const file = join(folder, "soft.toml");
+  const text = execFileSync(program, ["init", "squeal"], { encoding: "utf8" });
+  await writeFile(
+    file,
+    text
+      .replace(/^mass = "0.1 kg"$/m, 'mass = "4.0012345 g"')
+      .replace(/^flexural_stiffness = .*$/m, 'flexural_stiffness = "1.5 kN/m"')
+      .replace(/^axial_stiffness = .*$/m, 'axial_stiffness = "15 kN/m"')
+      .replace(/^preload = .*$/m, 'preload = "0.67 N"'),
+  );
+  const soft = await startExplorer([file]);
+  const other = await openPage(soft);
+  try {
+    await other.goto();
+    await settled(other.page);
+    await use(other.page);
+    assert.deepEqual(other.sins, []);
+  } finally {
+    await other.close();
+    assert.equal(await soft.stop(), 0);
+  }
+}
+
+test("a slider goes around the case's own value, and comes back to it to the last digit", async () => {
+  await withSoftLip(async (page) => {
+    const slider = page.locator('input[type="range"][data-key="joint.mass"]');
+    const field = page.locator('[data-field="joint.mass"]');
+    const mass = async () => Number((await field.getAttribute("title")).split(" ")[0]);
+    assert.equal(await slider.inputValue(), "500", "in the middle");
+    await slider.scrollIntoViewIfNeeded();
+    const box = await slider.boundingBox();
+    // 4 px beside the middle of its thumb, where browsers make it jump
+    const [x, y] = [box.x + box.width / 2 + 4, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 1, y);
+    const near = await mass();
+    assert.ok(near > 0.0040012345 && near < 0.0043, String(near));
+    for (let k = 1; k <= 100; ++k) await page.mouse.move(x + 60 * Math.sin(k), y);
+    await page.mouse.move(x + 300, y);
+    assert.ok(Math.abs((await mass()) - 0.040012345) < 1e-5, "ten times");
+    await page.mouse.move(x, y);
+    await page.mouse.up();
+    await settled(page);
+    assert.equal(await mass(), 0.0040012345);
+    assert.ok(!page.url().includes("joint.mass"), "nothing was changed");
+    assert.ok(await page.locator("#reset-all").isDisabled());
+    // a click on the thumb alone changes nothing
+    await page.mouse.click(x, y);
+    assert.equal(await mass(), 0.0040012345);
+    // nor do fifty steps there and back by the keyboard, nor what was typed beyond its ends
+    await slider.focus();
+    for (const key of ["ArrowRight", "ArrowLeft"]) for (let k = 0; k < 50; ++k) await page.keyboard.press(key);
+    assert.equal(await mass(), 0.0040012345);
+    await field.fill("7.123456789 kg");
+    await field.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("joint.mass=7.123456789"));
+    await slider.focus();
+    await page.keyboard.press("ArrowLeft");
+    assert.ok((await mass()) > 6.9);
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await mass(), 7.123456789);
+    await page.locator("#reset-all").click();
+    await settled(page);
+    assert.equal(await mass(), 0.0040012345);
+    assert.equal(await page.locator("#x-from").inputValue(), "67 mN", "the chart goes around it, too");
+    assert.ok(await page.locator("#outside").isHidden());
+  });
+});
+
+test("units are a choice of the browser: what is sent stays the same to the last digit", async () => {
+  await withSoftLip(async (page) => {
+    const field = page.locator('[data-field="joint.flexural_stiffness"]');
+    const slider = page.locator('input[type="range"][data-key="joint.flexural_stiffness"]');
+    const said = () => new URL(page.url()).hash;
+    const moved = async () => {
+      await slider.focus();
+      await page.keyboard.press("ArrowRight");
+      const value = /flexural_stiffness=([^&]+)/.exec(said())[1];
+      await page.keyboard.press("ArrowLeft");
+      return value;
+    };
+    assert.equal(await field.inputValue(), "1.5 kN/m");
+    const [value, address] = [await moved(), said()];
+    await settled(page);
+    const requests = [];
+    page.on("request", (request) => requests.push(request.url()));
+    await page.locator("#units").selectOption("engineering");
+    assert.equal(await field.inputValue(), "1.5 N/mm");
+    assert.equal(await page.locator('[data-field="joint.mass"]').inputValue(), "4.001 g");
+    assert.match(await page.locator("#mechanism-readout").innerText(), /V\s=\s-?[\d.]+\smm\/s/);
+    assert.equal(said(), address);
+    assert.deepEqual(requests, []);
+    assert.equal(await moved(), value);
+    assert.equal(said(), address);
+    // a number alone is in the unit that is shown, as the program reads it
+    const mass = page.locator('[data-field="joint.mass"]');
+    await mass.fill("4.1");
+    await mass.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("joint.mass=0.0041"));
+    await page.reload();
+    await settled(page);
+    assert.equal(await field.inputValue(), "1.5 N/mm", "it is kept");
+  });
+});
+
+test("cells of a chart that stopped are pale, and are called nothing", async () => {
+  await withSoftLip(async (page) => {
+    // the first look at a chart, and no more: most of its cells are not computed
+    await page.route("**/api/chart", async (route) => {
+      try {
+        const response = await route.fetch();
+        const [first] = (await response.text()).split("\n");
+        await route.fulfill({ response, body: first + "\n" });
+      } catch {
+        // a newer wish took its place
+      }
+    });
+    const colours = async () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector('#chart canvas[data-direction="coming"]');
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+        copy.drawImage(canvas, 0, 0);
+        const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+        const counts = {};
+        for (let k = 0; k < data.length; k += 4) {
+          const colour = "#" + [0, 1, 2].map((c) => data[k + c].toString(16).padStart(2, "0")).join("");
+          counts[colour] = (counts[colour] ?? 0) + 1;
+        }
+        return counts;
+      });
+    for (const [theme, none, pale] of [
+      ["light", "#e6e6e6", "#f8f8f8"],
+      ["dark", "#30353b", "#212429"],
+    ]) {
+      const design = `preset=squeal&contact.static_friction=0.8${theme.length}`;
+      await page.goto(`${page.url().split("#")[0]}#${design}&theme=${theme}`);
+      await page.waitForSelector("#chart-status:has-text('stopped')");
+      assert.match(await page.locator("#chart-status").innerText(), /^\d+ of 8192 cells run · stopped/);
+      const found = await colours();
+      const all = Object.values(found).reduce((a, b) => a + b, 0);
+      assert.ok((found[none] ?? 0) < 0.1 * all, `${theme}: ${found[none]} of ${all} are drawn as quiet`);
+      assert.ok(
+        found[pale] > 0.3 * all,
+        JSON.stringify(
+          Object.entries(found)
+            .sort((a, b) => b[1] - a[1])
+            .slice(0, 5),
+        ),
+      );
+      assert.match(await page.locator("#legend").innerText(), /pale: not computed yet/);
+      await page.locator('#chart canvas[data-direction="coming"]').hover({ position: { x: 93, y: 93 } });
+      assert.match(await page.locator("#chart-readout").innerText(), /not computed yet/);
+    }
+  });
+});

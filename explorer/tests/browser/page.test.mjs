@@ -167,7 +167,7 @@ test("keep quiet names a change that makes it quiet with one click", async () =>
   await choose("squeal");
   await page.locator("#tab-quiet").click();
   await page.waitForSelector("#apply-change");
-  assert.match(await page.locator("#nearest").innerText(), /nearest quiet design 0\.\d+ away/);
+  assert.match(await page.locator("#nearest").innerText(), /nearest quiet design .+ → .+ % of their ranges away/);
   await page.locator("#apply-change").click();
   await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, {
     timeout: 30000,
@@ -256,6 +256,77 @@ test("a file that leads to the link opens the page", async () => {
   } finally {
     await other.close();
     await own.stop();
+  }
+});
+
+test("menus close with Esc and with a click beside them, and give the focus back to their button", async () => {
+  const isOpen = (menu) => menu.evaluate(({ open }) => open);
+  await page.keyboard.press("Escape"); // should one be open
+  for (const menu of [page.locator("#share"), page.locator(".axes details")]) {
+    const summary = menu.locator("summary");
+    const hasFocus = () => summary.evaluate((element) => element === document.activeElement);
+    await summary.focus();
+    await page.keyboard.press("Enter");
+    const field = menu.locator("input").last();
+    const before = await field.inputValue();
+    await field.fill("half typed");
+    await page.keyboard.press("Escape");
+    assert.ok(!(await isOpen(menu)) && (await hasFocus()), "Esc");
+    assert.equal(await field.inputValue(), before);
+    await summary.click();
+    await field.focus();
+    await page.locator(".purpose").click();
+    assert.ok(!(await isOpen(menu)) && (await hasFocus()), "a click on nothing");
+    await summary.click();
+    await page.locator("#tab-response").click();
+    assert.ok(!(await isOpen(menu)) && !(await hasFocus()), "the focus is where the click took it");
+  }
+  assert.ok(await page.locator("#complaint").isHidden());
+});
+
+test("a spectrum has a logarithmic axis, and its peaks are told", async () => {
+  await choose("squeal");
+  await page.locator("#tab-spectra").click();
+  await page.waitForSelector("#peaks:not(:empty)");
+  const told = await page.locator("#peaks").innerText();
+  const [, frequency] = /^peaks \[dB re 1 nm\/s\]:\s([\d.]+)\sHz\s[\d.]+\sdB · /.exec(told);
+  const heard = await page.locator("#verdict .chip").first().innerText();
+  assert.ok(Math.abs(Number(frequency) - parseFloat(/[\d.]+ Hz/.exec(heard)[0])) < 3, `${told} / ${heard}`);
+  const over = page.locator('[data-plot="Spectrum"] .u-over');
+  const { width, height } = await over.boundingBox();
+  // a frequency twice as high lies as much further to the right, from 100 Hz as from 1 kHz
+  const read = async (part) => {
+    await over.hover({ position: { x: part * width, y: height / 2 } });
+    return Number(await page.locator('[data-plot="Spectrum"] .u-legend .u-value').first().innerText());
+  };
+  const ratio = async () => ((await read(0.9)) / (await read(0.7))) * ((await read(0.3)) / (await read(0.5)));
+  assert.ok(Math.abs((await ratio()) - 1) < 0.2);
+  assert.match(await page.locator("#peaks").innerText(), /^peak here .+\sHz\s[\d.]+\sdB$/);
+  await page.locator("#log-frequency").uncheck();
+  assert.ok((await ratio()) < 0.9);
+});
+
+test("on a phone verdict and chart stay in sight while a slider moves, and a finger hits what it aims at", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  try {
+    await choose("squeal");
+    await page.locator('input[data-key="drive.amplitude"]').scrollIntoViewIfNeeded();
+    for (const selector of ["#verdict", '#chart canvas[data-direction="going"]', "#chart canvas"]) {
+      const { x, y, width, height } = await page.locator(selector).first().boundingBox();
+      assert.ok(x >= 0 && x + width <= 390 && y >= 0 && y + height < 844 / 2, `${selector} at ${y}`);
+    }
+    const small = await page
+      .locator("button, select, summary, input:not([type=checkbox]):not([type=radio]), .segments label, .check")
+      .evaluateAll((all) =>
+        all
+          .map((element) => ({ element, box: element.getBoundingClientRect() }))
+          .filter(({ element, box }) => element.checkVisibility({ visibilityProperty: true }) && box.height < 44)
+          .map(({ element, box }) => `${element.outerHTML.slice(0, 80)} ${box.height}`),
+      );
+    assert.deepEqual(small, []);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  } finally {
+    await page.setViewportSize({ width: 1440, height: 900 });
   }
 });
 

@@ -117,6 +117,11 @@ test("a bowed string moves in Helmholtz' motion, and is heard", async () => {
     [/window = "1 s"/, 'window = "0.5 s"'],
   ]);
   await withFile("string.toml", short, async (page) => {
+    // cells are shown as they come, not at the end of the first round
+    await page.waitForFunction(() => {
+      const { done, computed, total } = document.querySelector("#chart").dataset;
+      return done === "false" && Number(computed) > 0 && Number(computed) < Number(total);
+    });
     assert.ok((await colours(page, "#mechanism")) > 20);
     const shown = Number(await page.locator("#verdict").evaluate(({ dataset }) => dataset.all !== undefined));
     assert.equal(shown, 1);
@@ -175,4 +180,36 @@ test("a structure of matrices in files is read once, and drawn at the places of 
     ]);
   });
   await assert.rejects(readFile(masses));
+});
+
+test("of several joints each has its name and its mark, and what has no result says why", async () => {
+  const axes = `
+[chart]
+x = { parameter = "contact.preload", from = "100 N", to = "300 N", points = 3 }
+y = { parameter = "contact.kinetic_friction", from = 0.2, to = 1, points = 2 }
+`;
+  const lips = ready("two-lips", [
+    ['"200 N"', '"120 N"'],
+    [/^duration = .*$/m, 'duration = "0.2 s"'],
+    [/^window = .*$/m, 'window = "0.2 s"'],
+  ]);
+  await withFile("lips.toml", lips + axes, async (page) => {
+    await page.waitForSelector('#chart[data-done="true"]');
+    assert.match(await page.locator("#verdict .chip").first().innerText(), /(upper|lower) [\d.]+ dB/);
+    assert.match(await page.locator("#axis-x option:checked").innerText(), /^all: preload/);
+    const gaps = await page.locator("#gaps").innerText();
+    assert.match(gaps, /without a result, such as: mu_d = 1 exceeds mu_s = 0\.8 \(.*\)$/);
+    assert.ok(await page.locator("#outside").isHidden(), "the design is on the chart");
+    // a cell of all joints takes the place of what one of them had by itself
+    const upper = page.locator('[data-field="joint.upper.contact.preload"]');
+    await upper.fill("150");
+    await upper.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("joint.upper.contact.preload=150"));
+    await page.locator("#chart canvas").first().focus();
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => /&contact\.preload=/.test(location.hash));
+    assert.ok(!page.url().includes("joint.upper.contact.preload"));
+    await page.waitForSelector('#verdict[aria-busy="false"]');
+    assert.match(await upper.inputValue(), /^[23]00 N$/);
+  });
 });

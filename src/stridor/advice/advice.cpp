@@ -29,15 +29,15 @@ bool concerns_the_same(const DesignChange& a, const DesignChange& b) {
                       [](const auto& x, const auto& y) { return x.parameter == y.parameter; });
 }
 
-// About how many runs each stage takes: medians of the cases of Table 1 and the soft parts. What deviates shows in the
-// display of progress alone, as a share that waits at the end of a stage or skips to it.
-std::array<double, advice_stage_names.size()> expected_runs(std::size_t parameters, std::size_t samples) {
-    constexpr double runs_per_margin = 65.0;
-    constexpr double runs_per_direction = 500.0;  // of the search for the nearest design, up to five directions
-    constexpr double runs_of_changes = 1500.0;
+// About how many designs each stage judges: medians of the cases of Table 1 and the soft parts. What deviates shows in
+// the display of progress alone, as a share that waits at the end of a stage or skips to it.
+std::array<double, advice_stage_names.size()> expected_designs(std::size_t parameters, std::size_t samples) {
+    constexpr double designs_per_margin = 82.0;
+    constexpr double designs_per_direction = 500.0;  // of the search for the nearest design, up to five directions
+    constexpr double designs_of_changes = 1500.0;
     const auto number = static_cast<double>(parameters);
-    return {runs_per_margin * number, runs_per_direction * std::min(number, 5.0),
-            parameters > 1 ? runs_of_changes : 100.0, static_cast<double>(samples)};
+    return {designs_per_margin * number, designs_per_direction * std::min(number, 5.0),
+            parameters > 1 ? designs_of_changes : 100.0, static_cast<double>(samples)};
 }
 
 // tells the share of the work that is done
@@ -46,7 +46,10 @@ public:
     Watch(const AdviceOptions& options, const DesignSpace& space, DesignRunner& runner)
         : options_(options),
           runner_(runner),
-          expected_(expected_runs(space.free.size(), options.tolerances.empty() ? 0 : options.chance.samples)) {}
+          expected_(expected_designs(space.free.size(), options.tolerances.empty() ? 0 : options.chance.samples)) {
+        for (double& each : expected_)
+            each *= static_cast<double>(space.runs.size());
+    }
 
     void begin(AdviceStage stage) {
         if (!options_.progress) return;
@@ -98,18 +101,49 @@ void find_changes(Advice& advice, DesignRunner& runner) {
         advice.recommended = static_cast<std::size_t>(best - advice.changes.data());
 }
 
+// the chance of noise: within what was asked for, or, of a quiet design, within what parts of its kind usually have
+std::optional<Chance> chance_of(const Advice& advice, const AdviceOptions& options, DesignRunner& runner) {
+    const bool is_default = options.tolerances.empty();
+    if (is_default && !is_quiet(advice.present)) return std::nullopt;
+    const std::vector<Tolerance> spreads =
+        is_default ? default_tolerances(advice.space.base) : tolerances(advice.space.base, options.tolerances);
+    if (spreads.empty()) return std::nullopt;
+    ChanceOptions sampling = options.chance;
+    if (is_default) sampling.samples = default_samples;
+    Chance result = chance(spreads, sampling, runner);
+    result.is_default = is_default;
+    return result;
+}
+
 }  // namespace
+
+DesignStanding standing_of(const parameters::Case& c, Look look, const AdviceOptions& options) {
+    DesignStanding design{design_space(c, {}, options.runs), {}, {}};
+    DesignRunner runner(design.space, options.crew, options.stop);
+    design.present = runner.judge(std::span(&design.space.origin, 1)).front();
+    if (look == Look::around && is_quiet(design.present)) design.near = neighbourhood(design.space, runner);
+    return design;
+}
+
+std::string headline(const Advice& advice) {
+    return headline(advice.space, advice.present, advice.near);
+}
+
+std::string headline(const DesignStanding& design) {
+    return headline(design.space, design.present, design.near);
+}
 
 Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     Advice advice;
-    advice.space = design_space(c, options.over);
-    const std::vector<Tolerance> spreads = tolerances(c, options.tolerances);
+    advice.space = design_space(c, options.over, options.runs);
+    tolerances(c, options.tolerances);  // what is wrong with them is said before the work
     DesignRunner runner(advice.space, options.crew, options.stop);
     Watch watch(options, advice.space, runner);
     watch.begin(AdviceStage::margins);
     advice.present = runner.judge(std::span(&advice.space.origin, 1)).front();
     advice.margins = margins(advice.space, advice.present, runner);
     const bool was_quiet = is_quiet(advice.present);
+    if (was_quiet) advice.near = neighbourhood(advice.space, runner);
     if (was_quiet) watch.skip(AdviceStage::changes);
     watch.begin(AdviceStage::nearest);
     advice.nearest =
@@ -120,7 +154,7 @@ Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     else
         find_changes(advice, runner);
     watch.begin(AdviceStage::chance);
-    if (!spreads.empty()) advice.chance = chance(spreads, options.chance, runner);
+    advice.chance = chance_of(advice, options, runner);
     advice.runs = runner.runs();
     return advice;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "stridor/advice/headline.hpp"
 #include "stridor/advice/margins.hpp"
+#include "stridor/advice/neighbourhood.hpp"
 #include "stridor/advice/quieting.hpp"
 #include "stridor/advice/tolerance.hpp"
 #include "stridor/crew/thread_crew.hpp"
@@ -32,7 +34,8 @@ struct AdviceProgress {
 /// What advice is asked for, and how it is computed.
 struct AdviceOptions {
     std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
-    std::vector<AskedTolerance> tolerances{};  // empty: no chance of noise is computed
+    std::vector<AskedTolerance> tolerances{};  // empty: of a quiet design the default ones (`default_tolerances`)
+    AskedRuns runs{};                          // by which motions a design is judged
     ChanceOptions chance{};
     crew::CrewMaker crew = crew::thread_crews();            // who computes
     std::stop_token stop{};                                 // asks for an early end
@@ -43,6 +46,7 @@ struct AdviceOptions {
 struct Advice {
     DesignSpace space{};
     DesignVerdict present{};
+    std::optional<Neighbourhood> near{};     // of a quiet design: what lies within a few per cent of it
     std::vector<ParameterMargin> margins{};  // by parameter
     std::vector<std::size_t> ranking{};  // parameters by what they buy: smallest verified quieting change first, or,
                                          // of a quiet design, smallest distance to the nearest change of verdict
@@ -50,9 +54,27 @@ struct Advice {
         nearest{};  // as a whole: the nearest quiet design, or, of a quiet one, the nearest not quiet
     std::vector<DesignChange> changes{};       // verified quieting changes, smallest first; none of a quiet design
     std::optional<std::size_t> recommended{};  // which of them
-    std::optional<Chance> chance{};
-    std::size_t runs = 0;  // [1] simulated designs
+    std::optional<Chance> chance{};            // of noise within tolerances
+    std::size_t runs = 0;                      // [1] simulated motions
 };
+
+/// What a design does and what lies close to it.
+struct DesignStanding {
+    DesignSpace space{};
+    DesignVerdict present{};
+    std::optional<Neighbourhood> near{};  // of a quiet design, if it was looked for
+};
+
+/// How far a design is looked at.
+enum class Look { here, around };
+
+/// Judges a design, and looks around it if it is quiet: what its headline needs, much cheaper than advice. Throws as
+/// `advise` does.
+DesignStanding standing_of(const parameters::Case& c, Look look, const AdviceOptions& options = {});
+
+/// The line that is said first of a design (`headline`).
+std::string headline(const Advice& advice);
+std::string headline(const DesignStanding& design);
 
 /// Advice on a case: the same for every crew. Throws `Error` (input) for what is wrong with case and
 /// options, and (interrupted) when stopped.

@@ -14,20 +14,26 @@
 
 namespace stridor::advice {
 
-/// How a design behaves: the verdict of each phase, by DesignSpace::phases.
+/// How a design behaves: the verdict of each phase, by DesignSpace::phases, of all of its runs the worst one
+/// (starts.hpp). A start that the design does not have, such as sliding where no steady sliding exists, is none of
+/// them.
 struct DesignVerdict {
     std::vector<sweep::StartVerdict> phases;
-    std::vector<classification::Quiet> quiet{};  // why each phase is quiet, if it is
-    std::string message{};                       // why it has no result; empty otherwise
+    std::string message{};                      // why it has no result; empty otherwise
+    std::vector<parameters::Initial> starts{};  // of the run that each phase has its verdict from
+    std::size_t runs = 0;                       // [1] that it took
 };
 
 /// Do both behave alike in every phase?
 bool are_alike(const DesignVerdict& a, const DesignVerdict& b);
 
-/// Is every phase `none`? What could not be computed or decided is not.
+/// Is a phase `none` since it slides or sticks? What could not be computed or decided is not.
+bool is_quiet_phase(const DesignVerdict& verdict, std::size_t phase);
+
+/// Is every phase?
 bool is_quiet(const DesignVerdict& verdict);
 
-/// Is every phase `none`, and none of them because it sticks? The contact still rubs, and does so quietly.
+/// Is every phase quiet, and none of them because it sticks? The contact still rubs, and does so quietly.
 bool slips_quietly(const DesignVerdict& verdict);
 
 /// Does any phase squeal, squeak or creak?
@@ -36,7 +42,7 @@ bool is_noisy(const DesignVerdict& verdict);
 /// Do the values contradict each other, so that there is no such design?
 bool is_invalid(const DesignVerdict& verdict);
 
-/// The loudest of the phases (starts.hpp).
+/// The worst of the phases (starts.hpp).
 sweep::StartVerdict overall(const DesignVerdict& verdict);
 
 /// The judging of designs as the work of a crew. The space must outlive the crew.

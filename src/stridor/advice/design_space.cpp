@@ -7,6 +7,7 @@
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/usual_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ namespace {
 
 using base::shortest;
 using parameters::Case;
-using parameters::Quantity;
+using parameters::Direction;
+using parameters::Initial;
 
 double octaves(const DesignParameter& parameter) {
     return base::logarithm_2(parameter.to / parameter.from);
@@ -26,21 +28,11 @@ double octaves(const DesignParameter& parameter) {
 
 // wide enough for the case's own value
 DesignParameter widened(DesignParameter parameter, double value) {
-    // of a velocity the usual range is that of its magnitude
-    if (value < 0.0 && parameter.from > 0.0) {
-        std::swap(parameter.from, parameter.to);
-        parameter.from = -parameter.from;
-        parameter.to = -parameter.to;
-    }
     parameter.from = std::min(parameter.from, value);
     parameter.to = std::max(parameter.to, value);
     // a logarithmic scale ends before zero
     if (!(parameter.from > 0.0 || parameter.to < 0.0)) parameter.scale = sweep::Scale::linear;
     return parameter;
-}
-
-const Quantity& quantity_of(std::string_view key) {
-    return std::get<Quantity>(parameters::field_of(key)->kind);
 }
 
 void check_end(const Case& c, const std::string& key, double value) {
@@ -51,14 +43,13 @@ void check_end(const Case& c, const std::string& key, double value) {
 DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
     const std::string key = quantity_key_called(c, asked.name);
     expect_one_value(c, key);
-    const Quantity& quantity = quantity_of(key);
     const double value = parameters::get_quantity(c, key);
-    DesignParameter parameter{key, 0.0, 0.0, quantity.usual ? quantity.usual->scale : sweep::Scale::linear};
-    if (quantity.usual)
-        parameter = widened({key, quantity.usual->from, quantity.usual->to, quantity.usual->scale}, value);
-    else if (!asked.from || !asked.to)
+    const std::optional<parameters::UsualRange> usual = parameters::usual_range(c, key);
+    if (!usual && (!asked.from || !asked.to))
         base::refuse(key + " has no usual range", "it is a setting, not a property of the design",
                      "Say from where to where: " + key + "=FROM:TO.");
+    DesignParameter parameter{key, 0.0, 0.0, sweep::Scale::linear};
+    if (usual) parameter = {key, usual->from, usual->to, usual->scale};
     if (!asked.from && !asked.to) return parameter;
     parameter.from = asked.from.value_or(parameter.from);
     parameter.to = asked.to.value_or(parameter.to);
@@ -72,11 +63,49 @@ DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
 
 std::vector<AskedRange> usual_ranges(const Case& c) {
     std::vector<AskedRange> ranges;
-    for (const std::string& key : parameters::quantity_keys(c)) {
-        const bool follows = parameters::temperature_column(c, key) != nullptr;
-        if (quantity_of(key).usual && !follows) ranges.push_back({key});
-    }
+    for (const std::string& key : parameters::design_keys(c))
+        ranges.push_back({key});
     return ranges;
+}
+
+// those with which the case can begin, its own first: what slides needs a surface that moves
+std::vector<Initial> possible_starts(const Case& c) {
+    std::vector<Initial> starts{c.run.initial};
+    for (const Initial start : {Initial::rest, Initial::sliding, Initial::stuck})
+        if (start != c.run.initial && parameters::findings(case_of(c, {{}, start})).empty()) starts.push_back(start);
+    return starts;
+}
+
+std::vector<record::Phase> phases_of(const Case& c, const std::vector<Direction>& directions) {
+    std::vector<record::Phase> phases;
+    if (c.drive.kind == parameters::DriveKind::constant)
+        phases = {record::Phase::going, record::Phase::coming};
+    else
+        phases = record::schedule(c).phases;
+    const auto is_unasked = [&](record::Phase phase) {
+        const Direction direction = phase == record::Phase::going ? Direction::going : Direction::coming;
+        return !directions.empty() && std::find(directions.begin(), directions.end(), direction) == directions.end();
+    };
+    std::erase_if(phases, is_unasked);
+    if (phases.empty())
+        base::refuse("the motion has none of the directions asked for", "the surface stands still or never moves so",
+                     "Leave the direction out.");
+    return phases;
+}
+
+std::vector<DesignRun> runs_of(const Case& c, const std::vector<record::Phase>& phases, const AskedRuns& asked) {
+    std::vector<DesignRun> runs;
+    for (const Initial start : asked.starts.empty() ? possible_starts(c) : asked.starts) {
+        const std::vector<parameters::Finding> found = parameters::findings(case_of(c, {{}, start}));
+        if (!found.empty()) throw Error(ErrorKind::input, found.front().problem);
+        if (c.drive.kind != parameters::DriveKind::constant) {
+            runs.push_back({{}, start});
+            continue;
+        }
+        for (const record::Phase phase : phases)
+            runs.push_back({phase == record::Phase::going ? Direction::going : Direction::coming, start});
+    }
+    return runs;
 }
 
 }  // namespace
@@ -120,10 +149,11 @@ void expect_one_value(const Case& c, std::string_view key) {
                  "a design has one value of it, from which it is changed", "Name a joint: " + base::listed(keys) + ".");
 }
 
-DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
+DesignSpace design_space(const Case& c, std::span<const AskedRange> asked, const AskedRuns& runs) {
     if (const std::vector<parameters::Finding> found = parameters::findings(c); !found.empty())
         throw Error(ErrorKind::input, found.front().problem);
-    DesignSpace space{c, {}, {}, {}, record::schedule(c).phases};
+    DesignSpace space{c, {}, {}, {}, phases_of(c, runs.directions), {}};
+    space.runs = runs_of(c, space.phases, runs);
     const std::vector<AskedRange> usual = asked.empty() ? usual_ranges(c) : std::vector<AskedRange>{};
     for (const AskedRange& range : asked.empty() ? std::span<const AskedRange>(usual) : asked) {
         DesignParameter parameter = parameter_for(c, range);
@@ -142,8 +172,23 @@ Case case_of(const DesignSpace& space, const Design& design) {
     Case c = space.base;
     for (const Design::Setting& setting : design.settings)
         parameters::set_quantity(c, setting.key, setting.value);
-    if (design.start) c.run.initial = *design.start;
     return c;
+}
+
+Case case_of(const Case& design, const DesignRun& run) {
+    Case c = design;
+    c.run.initial = run.start;
+    if (run.direction)
+        c.drive.velocity =
+            *run.direction == Direction::going ? std::abs(c.drive.velocity) : -std::abs(c.drive.velocity);
+    return c;
+}
+
+std::vector<Initial> starts_of(const DesignSpace& space) {
+    std::vector<Initial> starts;
+    for (const DesignRun& run : space.runs)
+        if (std::find(starts.begin(), starts.end(), run.start) == starts.end()) starts.push_back(run.start);
+    return starts;
 }
 
 Design design_at(const DesignSpace& space, const Shares& shares) {

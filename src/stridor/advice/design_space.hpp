@@ -37,16 +37,29 @@ double share_of(const DesignParameter& parameter, double value);
 /// A point of the box, shape [parameter].
 using Shares = std::vector<double>;
 
+/// One of the motions that a design is judged by.
+struct DesignRun {
+    std::optional<parameters::Direction> direction{};  // of a constant drive; nothing: the drive turns round by itself
+    parameters::Initial start = parameters::Initial::rest;
+};
+
+/// Which motions a design is judged by. Whoever uses it moves it both ways, and knows nothing of how it begins.
+struct AskedRuns {
+    std::vector<parameters::Direction> directions{};  // empty: both
+    std::vector<parameters::Initial> starts{};        // empty: all with which the case can begin, its own first
+};
+
 /// A case and the box of designs around it.
 struct DesignSpace {
     parameters::Case base;
     std::vector<DesignParameter> parameters;
     Shares origin;                      // where the base case stands, shape [parameter]
     std::vector<std::size_t> free;      // the parameters that a change may concern; the others are only followed
-    std::vector<record::Phase> phases;  // what is judged: all of a constant drive, else the going and coming phases
+    std::vector<record::Phase> phases;  // what is judged: going and coming; `all` of a surface that stands still
+    std::vector<DesignRun> runs;        // by which, the case's own start first in each direction
 };
 
-/// A range that a user asks for by name; without ends the usual one.
+/// A range that a user asks for by name; without ends the usual one around the case (`parameters::usual_range`).
 struct AskedRange {
     std::string name;  // in any spelling of `quantity_key_called`
     std::optional<double> from{};
@@ -60,14 +73,20 @@ std::string quantity_key_called(const parameters::Case& c, std::string_view name
 /// Throws `Error` (input) for a key of all joints in which they differ: the design has no one value of it.
 void expect_one_value(const parameters::Case& c, std::string_view key);
 
-/// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual
-/// range and belong to the case, each of several joints with its own. Of these the drive is not free: a product has to
-/// bear how it is moved, so its margins are of interest, but advice to move it otherwise is not. A range is widened to
-/// hold the case's own value.
+/// The space of the ranges asked for, all of them free, or, if there are none, of all that a designer varies
+/// (`parameters::design_keys`). Of these the drive is not free: a product has to bear how it is moved, so its margins
+/// are of interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
 ///
 /// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a
-/// quantity without a usual range whose ends are not given, and for a case with `parameters::findings`.
-DesignSpace design_space(const parameters::Case& c, std::span<const AskedRange> asked = {});
+/// quantity without a usual range whose ends are not given, for directions and starts that this case does not have, and
+/// for a case with `parameters::findings`.
+DesignSpace design_space(const parameters::Case& c, std::span<const AskedRange> asked = {}, const AskedRuns& runs = {});
+
+/// The starts of a space's runs, each once.
+std::vector<parameters::Initial> starts_of(const DesignSpace& space);
+
+/// The case of a run: the direction and the start put in.
+parameters::Case case_of(const parameters::Case& design, const DesignRun& run);
 
 /// A design, by what of the space's base case is otherwise.
 struct Design {
@@ -75,8 +94,7 @@ struct Design {
         std::string key;
         double value = 0.0;  // in the field's unit
     };
-    std::vector<Setting> settings{};             // made in this order
-    std::optional<parameters::Initial> start{};  // of the motion; nothing: as the base case
+    std::vector<Setting> settings{};  // made in this order
 };
 
 /// The case of a design.

@@ -1,5 +1,6 @@
 #include "stridor/advice/margins.hpp"
 
+#include "stridor/advice/neighbourhood.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/case_key.hpp"
@@ -76,6 +77,13 @@ Track track(const DesignSpace& space, std::size_t parameter) {
     for (const double step : close_steps) {
         shares.push_back(origin - step);
         shares.push_back(origin + step);
+    }
+    // a few per cent of a value may be less than any of these, or more
+    const DesignParameter& range = space.parameters[parameter];
+    const double value = parameters::get_quantity(space.base, range.key);
+    for (const double step : near_steps) {
+        shares.push_back(share_of(range, value - step * std::abs(value)));
+        shares.push_back(share_of(range, value + step * std::abs(value)));
     }
     for (int k = 0; k <= scan_intervals; ++k)
         shares.push_back(static_cast<double>(k) / scan_intervals);

@@ -14,8 +14,9 @@
 /// How far each parameter of a design may move before its verdict changes.
 ///
 /// Each parameter is followed alone through its range: on a grid of `scan_intervals` equal intervals of its share, and
-/// closer around the present value. The nearest place where the verdict of any phase is another one is then bisected
-/// to `scan_resolution`. What is narrower than a grid's interval may be missed: an island of noise, or of silence.
+/// closer around the present value, by shares of the range and of the value (`near_steps`). The nearest place where the
+/// verdict of any phase is another one is then bisected to `scan_resolution`. What is narrower than a grid's interval
+/// may be missed: an island of noise, or of silence.
 namespace stridor::advice {
 
 /// Equal intervals of a parameter's range, at whose ends the verdict is asked for.

@@ -15,8 +15,6 @@ namespace {
 
 using parameters::Case;
 
-constexpr std::array every_start{parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding};
-
 // how far beyond the boundary it is tried, one after the other [1, share of the range]
 constexpr std::array tried_safeties{safety, 0.03, 0.04, 0.06, 0.08, 0.1, 0.12};
 
@@ -59,10 +57,10 @@ double neighbour(const DesignSpace& space, const ParameterChange& change, int st
     const DesignParameter& range = space.parameters[change.parameter];
     const double size = change.to != 0.0 ? std::abs(change.to) : range.to - range.from;
     const parameters::Range allowed = parameters::range_of(space.base, range.key);
-    return std::clamp(change.to + steps * neighbourhood * size, allowed.low, allowed.high);
+    return std::clamp(change.to + steps * verified_around * size, allowed.low, allowed.high);
 }
 
-// the changed design, those around it, and itself from the other starts: a contact may have a quiet and a noisy motion
+// the changed design and those around it
 std::vector<Design> around(const DesignSpace& space, const DesignChange& change) {
     std::vector<Design> designs{{}};
     for (const ParameterChange& each : change.set) {
@@ -74,12 +72,6 @@ std::vector<Design> around(const DesignSpace& space, const DesignChange& change)
             }
         designs = std::move(more);
     }
-    const parameters::Initial own = space.base.run.initial;
-    for (const parameters::Initial start : every_start)
-        if (start != own) {
-            designs.push_back(designs.front());
-            designs.back().start = start;
-        }
     return designs;
 }
 
@@ -102,7 +94,9 @@ std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std:
         const auto quiet = std::count_if(first, last, condition);
         const auto invalid = std::count_if(first, last, is_invalid);
         changes[k].verdict = *first;
-        changes[k].runs = static_cast<std::size_t>(quiet);
+        changes[k].designs = static_cast<std::size_t>(quiet);
+        for (auto each = first; each != last; ++each)
+            changes[k].runs += each->runs;
         if (condition(*first) && quiet + invalid == last - first) results[k] = std::move(changes[k]);
         first = last;
     }

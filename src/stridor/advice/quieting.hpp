@@ -14,16 +14,15 @@
 /// throughout is quiet, too, but does no longer rub. Only where nothing else helps is such a change told.
 ///
 /// A change goes at least `safety` beyond the place where the design begins to be quiet, to a number with few
-/// digits, and is *verified*: the changed design was run and is quiet, from every start (run.initial), and so is
-/// each one around it, with every changed value `neighbourhood` less and more in all combinations. What cannot be
-/// verified is not told.
+/// digits, and is *verified*: the changed design is quiet in all of its runs, and so is each one around it, with every
+/// changed value `verified_around` less and more in all combinations. What cannot be verified is not told.
 namespace stridor::advice {
 
 /// A change goes so far beyond the boundary, at least [1, share of the range].
 inline constexpr double safety = 0.02;
 
 /// The changed design is also quiet with so much less and more of each changed value [1, share of the value].
-inline constexpr double neighbourhood = 0.01;
+inline constexpr double verified_around = 0.01;
 
 /// A change concerns so many parameters at most.
 inline constexpr std::size_t most_changed = 3;
@@ -43,7 +42,8 @@ struct DesignChange {
     std::vector<ParameterChange> set{};  // by parameter
     double distance = 0.0;               // [1] from the present design
     DesignVerdict verdict{};             // of the changed design
-    std::size_t runs = 0;                // [1] of it, from every start, and of the designs around it: all quiet
+    std::size_t designs = 0;             // [1] it and those around it: all quiet
+    std::size_t runs = 0;                // [1] of all of these, both ways and from every start
 };
 
 /// May the contact stick throughout?

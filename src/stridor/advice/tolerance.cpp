@@ -6,10 +6,12 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/usual_range.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stridor::advice {
@@ -135,6 +137,40 @@ Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
     return {key, value, amount, asked.spread};
 }
 
+// the spread of series production [1, share of the value; angles in deg]
+constexpr double force_spread = 0.2;
+constexpr double friction_spread = 0.1;
+constexpr double damping_spread = 0.3;
+constexpr double stiffness_spread = 0.1;
+constexpr double mass_spread = 0.05;
+constexpr double angle_spread = 2.0;  // [deg]
+
+double default_spread(const parameters::Field& field, double value) {
+    const double size = std::abs(value);
+    const std::string_view unit = parameters::unit_of(field);
+    if (field.section == "drive") return 0.0;
+    if (unit == "deg") return angle_spread;
+    if (unit == "N") return force_spread * size;
+    if (unit == "N*s/m" || field.name == "damping_scale") return damping_spread * size;
+    if (unit == "N/m" || field.name == "stiffness_scale") return stiffness_spread * size;
+    if (unit == "kg") return mass_spread * size;
+    return friction_spread * size;
+}
+
+// half of what lies between mu_d and mu_s of the same way; of other quantities no limit
+double room_of(const Case& c, const std::string& key) {
+    constexpr std::string_view kinetic = "kinetic_friction", held = "static_friction";
+    std::string other = key;
+    const std::size_t at = key.find(kinetic), of_static = key.find(held);
+    if (at != std::string::npos)
+        other.replace(at, kinetic.size(), held);
+    else if (of_static != std::string::npos)
+        other.replace(of_static, held.size(), kinetic);
+    else
+        return std::numeric_limits<double>::infinity();
+    return 0.5 * std::abs(parameters::get_quantity(c, key) - parameters::get_quantity(c, other));
+}
+
 Design sampled(std::span<const Tolerance> tolerances, const std::vector<double>& point) {
     Design design;
     for (std::size_t k = 0; k < tolerances.size(); ++k)
@@ -174,6 +210,18 @@ std::vector<Tolerance> tolerances(const Case& c, std::span<const AskedTolerance>
         base::refuse(std::to_string(all.size()) + " tolerances are too many",
                      "there are at most " + std::to_string(most_sobol_dimensions),
                      "Leave out those that matter least.");
+    return all;
+}
+
+std::vector<Tolerance> default_tolerances(const Case& c) {
+    std::vector<Tolerance> all;
+    for (const std::string& key : parameters::design_keys(c)) {
+        const double value = parameters::get_quantity(c, key);
+        const parameters::Range range = parameters::range_of(c, key);
+        const double spread = std::min(default_spread(*parameters::field_of(key), value), room_of(c, key));
+        const bool fits = value - spread >= range.low && value + spread <= range.high;
+        if (spread > 0.0 && fits && all.size() < most_sobol_dimensions) all.push_back({key, value, spread});
+    }
     return all;
 }
 

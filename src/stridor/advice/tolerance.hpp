@@ -45,6 +45,13 @@ struct Tolerance {
 /// range of the field, and for more than `most_sobol_dimensions`.
 std::vector<Tolerance> tolerances(const parameters::Case& c, std::span<const AskedTolerance> asked);
 
+/// The tolerances of a case of which nobody named any: what parts of series production have (docs/methods/advice.md).
+///
+/// Preload and load +-20 %, friction +-10 %, damping +-30 %, stiffness +-10 %, mass +-5 %, angles +-2 deg, evenly. The
+/// drive has none: it is what the part has to bear. mu_d and mu_s are spread by half of what lies between them at most,
+/// so that none of these designs contradicts itself. None that would leave the range of its field.
+std::vector<Tolerance> default_tolerances(const parameters::Case& c);
+
 /// The value with a cumulative probability of 0 < p < 1; the same bits on every machine.
 double value_at(const Tolerance& tolerance, double probability);
 
@@ -74,6 +81,9 @@ struct ChanceOptions {
     std::uint64_t seed = 1;
 };
 
+/// So many are taken where nobody asked for a chance [1].
+inline constexpr std::size_t default_samples = 256;
+
 /// Most samples one can ask for: more say nothing an engineer could use.
 inline constexpr std::size_t most_samples = std::size_t{1} << 24U;
 
@@ -82,6 +92,7 @@ struct Chance {
     std::vector<Tolerance> tolerances{};
     ChanceOptions options{};
     std::size_t samples = 0;                                         // [1] taken
+    bool is_default = false;                                         // nobody named the tolerances
     Estimate noise{};                                                // some phase squeals, squeaks or creaks
     Estimate not_quiet{};                                            // or is undecided or has no result
     std::array<Estimate, sweep::verdict_words.size()> by_verdict{};  // of the loudest phase, by `verdict_words`

@@ -19,7 +19,8 @@ constexpr double same_mismatch = 0.01;
 constexpr double no_repetition = 0.2;
 // fewest pairs of intervals a lag is judged from
 constexpr std::size_t least_pairs = 3;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+// the pairs of a lag are held against each other in so many groups, one after the other in time
+constexpr std::size_t pair_groups = 8;
 
 // the intervals of one kind of beat, parted where the judged time is
 struct Beat {
@@ -29,35 +30,87 @@ struct Beat {
     long intervals = 0;
     double mean = 0.0;   // [s]
     double cover = 0.0;  // [s] sum of the intervals
-    std::array<double, largest_lag> mismatch{};
+    std::array<Mismatch, largest_lag> mismatch{};
 };
 
-// mean |d(i+lag) - d(i)| / mean; infinite with too few pairs
-double mismatch(const Beat& beat, std::size_t lag) {
-    double sum = 0.0;
+std::size_t pairs_of(const Beat& beat, std::size_t lag) {
     std::size_t pairs = 0;
     for (const std::vector<double>& stretch : beat.stretches)
-        for (std::size_t k = 0; k + lag < stretch.size(); ++k, ++pairs)
-            sum += std::abs(stretch[k + lag] - stretch[k]);
-    return pairs < least_pairs ? infinity : sum / static_cast<double>(pairs) / beat.mean;
+        pairs += stretch.size() > lag ? stretch.size() - lag : 0;
+    return pairs;
 }
 
+// some of the pairs of a lag
+struct PairGroup {
+    double sum = 0.0;    // [s] of |d(i+lag) - d(i)|
+    double count = 0.0;  // [1]
+};
+
+// standard error of the mean of all pairs, from how far those of groups alike in size lie from it
+double scatter_in_time(const std::vector<PairGroup>& groups, double mean) {
+    double squares = 0.0;
+    for (const PairGroup& group : groups) {
+        const double deviation = group.sum / group.count - mean;
+        squares += deviation * deviation;
+    }
+    return std::sqrt(squares / static_cast<double>(groups.size() * (groups.size() - 1)));
+}
+
+// the same, from stretches of any size; 0 of one alone
+double scatter_of_stretches(const std::vector<PairGroup>& stretches, double mean) {
+    double squares = 0.0, pairs = 0.0, filled = 0.0;
+    for (const PairGroup& stretch : stretches) {
+        const double deviation = stretch.sum - stretch.count * mean;
+        squares += deviation * deviation;
+        pairs += stretch.count;
+        filled += stretch.count > 0.0 ? 1.0 : 0.0;
+    }
+    return filled > 1.0 ? std::sqrt(squares * filled / (filled - 1.0)) / pairs : 0.0;
+}
+
+// mean |d(i+lag) - d(i)| / mean, and how far it scatters: between pieces of time, or between strokes that may be
+// unlike, each alike in itself; the pattern must be seen three times
+Mismatch mismatch(const Beat& beat, std::size_t lag) {
+    const std::size_t pairs = pairs_of(beat, lag);
+    if (pairs < std::max(2 * lag, least_pairs)) return {};
+    const std::size_t groups = std::min(pair_groups, pairs);
+    std::vector<PairGroup> in_time(groups), stretches(beat.stretches.size());
+    double sum = 0.0;
+    std::size_t pair = 0;
+    for (std::size_t stretch = 0; stretch < stretches.size(); ++stretch) {
+        const std::vector<double>& lengths = beat.stretches[stretch];
+        for (std::size_t k = 0; k + lag < lengths.size(); ++k, ++pair) {
+            const double difference = std::abs(lengths[k + lag] - lengths[k]);
+            sum += difference;
+            for (PairGroup* group : {&in_time[pair * groups / pairs], &stretches[stretch]}) {
+                group->sum += difference;
+                group->count += 1.0;
+            }
+        }
+    }
+    const double mean = sum / static_cast<double>(pairs);
+    const double scatter = std::max(scatter_in_time(in_time, mean), scatter_of_stretches(stretches, mean));
+    return {mean / beat.mean, scatter / beat.mean};
+}
+
+// of a burst the first counts
 std::vector<std::vector<double>> intervals_of(const record::Instants& instants) {
     std::vector<std::vector<double>> stretches(1);
     double last = std::numeric_limits<double>::quiet_NaN();
+    double first_of_burst = last;
     for (const double time : instants.times) {
-        if (std::isnan(time)) {
-            if (!stretches.back().empty()) stretches.emplace_back();
-        } else if (!std::isnan(last)) {
-            stretches.back().push_back(time - last);
-        }
+        if (std::isnan(time) && !stretches.back().empty()) stretches.emplace_back();
+        const bool is_burst = time - last < shortest_interval;
         last = time;
+        if (is_burst) continue;
+        if (!std::isnan(time - first_of_burst)) stretches.back().push_back(time - first_of_burst);
+        first_of_burst = time;
     }
     return stretches;
 }
 
-std::optional<Beat> beat_of(const record::ContactTally& tally, model::ContactState from, model::ContactState to) {
-    Beat beat{from, to, intervals_of(tally.changes[record::change_kind(from, to)])};
+std::optional<Beat> beat_of(const record::Changes& changes, model::ContactState from, model::ContactState to) {
+    Beat beat{from, to, intervals_of(changes[record::change_kind(from, to)])};
     for (const std::vector<double>& stretch : beat.stretches) {
         for (const double length : stretch)
             beat.cover += length;
@@ -79,12 +132,12 @@ double variation(const Beat& beat) {
 }
 
 // kinds of beat that speak for the motion
-std::vector<Beat> speaking_beats(const record::ContactTally& tally) {
+std::vector<Beat> speaking_beats(const record::Changes& changes) {
     std::vector<Beat> all;
     for (std::size_t from = 0; from < model::contact_states; ++from)
         for (std::size_t to = 0; to < model::contact_states; ++to)
             if (std::optional<Beat> beat =
-                    beat_of(tally, static_cast<model::ContactState>(from), static_cast<model::ContactState>(to)))
+                    beat_of(changes, static_cast<model::ContactState>(from), static_cast<model::ContactState>(to)))
                 all.push_back(*std::move(beat));
     if (all.empty()) return all;
     // old instants are dropped, so cover is held against the longest record of any kind
@@ -109,7 +162,7 @@ std::vector<Beat> speaking_beats(const record::ContactTally& tally) {
 // of beats alike in regularity the more frequent one is named, so that a few rounding errors do not choose
 const Beat& most_regular(const std::vector<Beat>& beats) {
     const auto more_regular = [](const Beat& a, const Beat& b) {
-        const double difference = a.mismatch[0] - b.mismatch[0];
+        const double difference = a.mismatch[0].mean - b.mismatch[0].mean;
         return std::abs(difference) > same_mismatch ? difference < 0.0 : a.intervals > b.intervals;
     };
     const Beat* first = &beats.front();
@@ -123,17 +176,17 @@ void find_repetition(Alternation& result, const std::vector<Beat>& beats) {
     std::array<const Beat*, largest_lag> best_at{};
     for (std::size_t lag = 0; lag < largest_lag; ++lag)
         for (const Beat& beat : beats)
-            if (beat.mismatch[lag] < result.mismatch[lag]) {
+            if (beat.mismatch[lag].mean < result.mismatch[lag].mean) {
                 result.mismatch[lag] = beat.mismatch[lag];
                 best_at[lag] = &beat;
             }
-    const double best = *std::min_element(result.mismatch.begin(), result.mismatch.end());
-    if (!std::isfinite(best)) return;
-    if (std::isfinite(result.mismatch[0])) result.regularity = std::max(0.0, 1.0 - result.mismatch[0]);
-    result.repetition = std::max(0.0, 1.0 - best);
-    if (best > no_repetition) return;
+    const Mismatch best = least_mismatch(result, largest_lag);
+    if (!std::isfinite(best.mean)) return;
+    if (std::isfinite(result.mismatch[0].mean)) result.regularity = std::max(0.0, 1.0 - result.mismatch[0].mean);
+    result.repetition = std::max(0.0, 1.0 - best.mean);
+    if (best.mean > no_repetition) return;
     const auto repeats = std::find_if(result.mismatch.begin(), result.mismatch.end(),
-                                      [&](double m) { return m <= best + same_mismatch; });
+                                      [&](const Mismatch& m) { return m.mean <= best.mean + same_mismatch; });
     const auto lag = static_cast<std::size_t>(repeats - result.mismatch.begin());
     result.lag = static_cast<int>(lag) + 1;
     result.period = static_cast<double>(lag + 1) * best_at[lag]->mean;
@@ -141,10 +194,15 @@ void find_repetition(Alternation& result, const std::vector<Beat>& beats) {
 
 }  // namespace
 
-Alternation alternation(const record::ContactTally& tally) {
+Mismatch least_mismatch(const Alternation& alternation, std::size_t lags) {
+    return *std::min_element(alternation.mismatch.begin(),
+                             alternation.mismatch.begin() + static_cast<std::ptrdiff_t>(std::min(lags, largest_lag)),
+                             [](const Mismatch& a, const Mismatch& b) { return a.mean < b.mean; });
+}
+
+Alternation alternation(const record::Changes& changes) {
     Alternation result;
-    result.mismatch.fill(infinity);
-    const std::vector<Beat> beats = speaking_beats(tally);
+    const std::vector<Beat> beats = speaking_beats(changes);
     if (beats.empty()) return result;
     const Beat& named = most_regular(beats);
     result.from = named.from;

@@ -3,6 +3,7 @@
 #include "stridor/analysis/friction_falls.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/base/whole.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,9 @@ struct DropFigures {
 
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return unknown;
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), values.begin() + place, values.end());
-    return values[static_cast<std::size_t>(place)];
+    const std::size_t place = base::whole_near(share * static_cast<double>(values.size() - 1), values.size() - 1);
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
+    return values[place];
 }
 
 std::vector<double> magnitudes(std::span<const double> values) {
@@ -170,7 +171,7 @@ StretchFigures study(const FrictionMeasurement& m, const std::vector<double>& si
                           signed_ratio.begin() + static_cast<std::ptrdiff_t>(stretch.to));
     for (double& value : r)
         value *= stretch.direction;
-    const auto longest = static_cast<std::size_t>(std::max(1.0, options.longest_drop * m.rate));
+    const std::size_t longest = std::max<std::size_t>(1, base::whole_below(options.longest_drop * m.rate, r.size()));
     for (const Fall& fall : falls(r, {threshold, noise, longest})) {
         DropFigures drop{{}, release_of(fall, r)};
         const std::size_t from = stretch.from + fall.onset, to = stretch.from + fall.valley;
@@ -271,6 +272,19 @@ void add_notes(FrictionTrace& trace, const FrictionMeasurement& m) {
         trace.notes.emplace_back("no drop and no peak at the beginning: the static coefficient is not to be seen");
 }
 
+// rubber under small loads reaches 5; what lies far beyond is another unit, another preload, or no measurement
+constexpr double most_friction = 20.0;  // [1]
+
+void expect_plausible(const FrictionFigures& figures) {
+    for (const double coefficient :
+         {figures.static_friction.value, figures.kinetic_friction.value, figures.mean_friction})
+        if (std::abs(coefficient) > most_friction)
+            base::refuse(
+                "the friction coefficient comes out as " + base::shortest(coefficient),
+                "none is beyond " + base::shortest(most_friction),
+                "Is the preload right, and is the force in newtons? A reading of an overload must be cut out.");
+}
+
 }  // namespace
 
 FrictionTrace friction_trace(const FrictionMeasurement& measurement, const FrictionTraceOptions& options) {
@@ -298,6 +312,7 @@ FrictionTrace friction_trace(const FrictionMeasurement& measurement, const Frict
     for (const int direction : {1, -1})
         if (std::any_of(all.begin(), all.end(), [&](const auto& s) { return s.stretch.direction == direction; }))
             trace.directions.push_back(summary(all, direction, measurement, trace.threshold));
+    expect_plausible(trace.all);
     add_notes(trace, measurement);
     return trace;
 }

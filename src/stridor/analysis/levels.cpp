@@ -16,7 +16,8 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double level(double velocity) {
     if (std::isnan(velocity)) return velocity;
-    return velocity > 0.0 ? base::decibels(velocity / reference_velocity) : -std::numeric_limits<double>::infinity();
+    return velocity >= reference_velocity ? base::decibels(velocity / reference_velocity)
+                                          : -std::numeric_limits<double>::infinity();
 }
 
 Level level_of(std::span<const record::Vibration> components, double time) {

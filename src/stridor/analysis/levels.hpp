@@ -8,6 +8,9 @@
 namespace stridor::analysis {
 
 /// Reference velocity of velocity levels [m/s] (ISO 1683: 1e-9 m/s).
+///
+/// No level below 0 dB is told. A surface that moves at 1 nm/s makes at most rho c v = 0.4 uPa, 34 dB below the
+/// threshold of hearing. Rounding of a motion of some m/s leaves less than 1 pm/s, -60 dB: such numbers mean nothing.
 inline constexpr double reference_velocity = 1e-9;
 
 /// What is said to people beside a level; without more words, a design's level is its joint's. Files write the
@@ -20,12 +23,10 @@ inline constexpr std::string_view contact_level_note =
     "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
-/// A contact that only slides ends at rest: its level is then -infinity or that of rounding,
-/// hundreds of dB below any other.
 struct Level {
     double rms = 0.0;            // [m/s] root mean square of the velocity vector
     double peak = 0.0;           // [m/s] largest magnitude of the velocity vector, at least the root mean square
-    double decibels = 0.0;       // [dB re 1e-9 m/s] of the root mean square; -infinity at rest
+    double decibels = 0.0;       // [dB re 1e-9 m/s] of the root mean square; -infinity below 0
     double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
 };
 

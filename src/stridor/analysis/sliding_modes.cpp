@@ -24,7 +24,7 @@ struct FreeModes {
     MatrixXd shapes;                  // phi, shape [dof][mode]
 };
 
-FreeModes free_modes(const SlidingMotion& motion, const MatrixXd& directions) {
+FreeModes free_modes(const model::SlidingMotion& motion, const MatrixXd& directions) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
         model::reduced(directions, motion.stiffness, directions), model::reduced(directions, motion.mass, directions));
     FreeModes modes{{}, directions * solver.eigenvectors()};
@@ -57,7 +57,7 @@ void add_contributions(SlidingMode& mode, const FreeModes& free, const MatrixXd&
 
 // what friction and damping add to the growth, from the balance of power
 void add_growths(SlidingMode& mode, const SteadySliding& sliding, const model::Structure& structure) {
-    const SlidingMotion& motion = sliding.motion;
+    const model::SlidingMotion& motion = sliding.motion;
     const std::complex<double> lambda = mode.eigenvalue;
     const double rate = std::norm(lambda);
     const double energy = 0.25 * (rate * energy_of(motion.mass, mode.shape) + energy_of(motion.stiffness, mode.shape));
@@ -68,9 +68,9 @@ void add_growths(SlidingMode& mode, const SteadySliding& sliding, const model::S
     if (sliding.found.closed.empty()) return;
     const VectorXcd rest = lambda * lambda * (motion.mass * mode.shape) + lambda * (motion.damping * mode.shape) +
                            motion.stiffness * mode.shape;
-    const MatrixXd coupling = motion.normals.transpose() * motion.forces;
+    const MatrixXd coupling = motion.held.transpose() * motion.forces;
     const VectorXcd normal_forces =
-        coupling.cast<std::complex<double>>().partialPivLu().solve(motion.normals.transpose() * rest);
+        coupling.cast<std::complex<double>>().partialPivLu().solve(motion.held.transpose() * rest);
     for (Index k = 0; k < normal_forces.size(); ++k) {
         const std::size_t contact = sliding.found.closed[static_cast<std::size_t>(k)];
         const std::complex<double> friction = sliding.ratios[contact] * normal_forces(k);
@@ -102,7 +102,7 @@ std::vector<std::size_t> by_share(const SlidingMode& mode) {
 
 SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction, std::size_t most) {
     const SteadySliding sliding = steady_sliding(structure, direction);
-    const FirstOrderMotion first = first_order(sliding.motion);
+    const model::FirstOrderMotion first = first_order(sliding.motion);
     const Index free = first.directions.cols();
     if (free == 0) return {};
     const FreeModes reference = free_modes(sliding.motion, first.directions);

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "stridor/model/equilibrium.hpp"
+#include "stridor/model/sliding_motion.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
-
-#include <Eigen/Core>
 
 #include <array>
 #include <complex>
@@ -14,11 +13,9 @@
 
 /// Stability of steady sliding by complex eigenvalues.
 ///
-/// Sliding with T = sigma mu_d N, sigma = sign(V), on closed contacts n.u = -g0: with the columns of Q spanning the
-/// motions that keep the gaps closed and P = Q - n (b.n)⁻¹ b.Q, which is orthogonal to the contact forces
-/// b = n + sigma mu_d t, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric, and of several
-/// contacts P.M Q: two modes may meet and one of the pair grows (mode coupling, flutter), or one loses its stiffness
-/// (divergence, sprag-slip).
+/// Sliding with T = sigma mu_d N, sigma = sign(V), on closed contacts n.u = -g0, is a motion near a set of states
+/// (`model::SlidingMotion`). Two of its modes may meet and one of the pair grows (mode coupling, flutter), or one loses
+/// its stiffness (divergence, sprag-slip).
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 
@@ -54,31 +51,11 @@ struct SlidingStability {
 /// largest eigenvalue. No eigenvalues give `stable`.
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);
 
-/// The motion near steady sliding, M u'' + C u' + K u = b N with n.u = 0 at each closed contact.
-struct SlidingMotion {
-    Eigen::MatrixXd mass;       // [kg] M
-    Eigen::MatrixXd damping;    // [N*s/m] C
-    Eigen::MatrixXd stiffness;  // [N/m] K
-    Eigen::MatrixXd normals;    // [1] n, shape [dof][contact]
-    Eigen::MatrixXd forces;     // [1] b = n + sigma mu_d t, shape [dof][contact]
-};
-
-/// Its eigenvalues [1/s], 2 (dofs - contacts) of them, complex ones in conjugate pairs.
-std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
-
-/// The same as first-order motion z' = A z: z holds the positions in the directions Q, in units of a velocity, then the
-/// velocities.
-struct FirstOrderMotion {
-    Eigen::MatrixXd matrix;      // [1/s] A
-    Eigen::MatrixXd directions;  // [1] Q, shape [dof][dofs - contacts]
-};
-FirstOrderMotion first_order(const SlidingMotion& motion);
-
 /// Steady sliding of a structure in one direction, with what lies near it.
 struct SteadySliding {
     model::ClosedContacts found;
-    std::vector<double> ratios;  // [1] T/N, shape [contact]
-    SlidingMotion motion;        // of the closed contacts
+    std::vector<double> ratios;   // [1] T/N, shape [contact]
+    model::SlidingMotion motion;  // of the closed contacts
 };
 SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction);
 

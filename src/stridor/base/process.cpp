@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,8 +13,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -103,10 +106,24 @@ pid_t start(std::vector<std::string> command, int messages) {
     return child;
 }
 
-std::string read_to_end(int end) {
+using Clock = std::chrono::steady_clock;
+
+// [ms] as `poll` takes them; -1: without end
+int left_until(const std::optional<Clock::time_point>& deadline) {
+    if (!deadline) return -1;
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now());
+    return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, std::numeric_limits<int>::max()));
+}
+
+// nothing where it has not ended at the deadline
+std::optional<std::string> read_to_end(int end, const std::optional<Clock::time_point>& deadline) {
     std::string text;
     std::array<char, 4096> buffer{};
     for (;;) {
+        pollfd waiting{end, POLLIN, 0};
+        const int ready = ::poll(&waiting, 1, left_until(deadline));
+        if (ready < 0 && errno == EINTR) continue;
+        if (ready == 0) return std::nullopt;
         const ssize_t count = ::read(end, buffer.data(), buffer.size());
         if (count > 0)
             text.append(buffer.data(), static_cast<std::size_t>(count));
@@ -124,15 +141,20 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-ProcessResult run_process(const std::vector<std::string>& command) {
+ProcessResult run_process(const std::vector<std::string>& command, const std::optional<std::chrono::seconds>& longest) {
     STRIDOR_EXPECT(!command.empty());
     Pipe messages;
     const pid_t child = start(command, messages.ends[1]);
     Pipe::close(messages.ends[1]);
-    ProcessResult result;
-    result.messages = read_to_end(messages.ends[0]);
-    result.exit_status = wait_for(child);
-    return result;
+    // it has closed its end once it is over
+    std::optional<std::string> said =
+        read_to_end(messages.ends[0], longest ? std::optional(Clock::now() + *longest) : std::nullopt);
+    if (!said) ::kill(child, SIGKILL);
+    const int status = wait_for(child);
+    if (!said)
+        throw Error(ErrorKind::io, {command.front() + " did not end within " + std::to_string(longest->count()) + " s",
+                                    "it was ended", ""});
+    return {status, std::move(*said)};
 }
 
 bool is_on_path(const std::string& program) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,10 @@ struct ProcessResult {
 /// Runs a program found on PATH until it ends, without a shell.
 ///
 /// It has nothing to read, what it writes to standard output is dropped, and its messages have the C locale. Throws
-/// `Error` (io) where it cannot be started.
-ProcessResult run_process(const std::vector<std::string>& command);
+/// `Error` (io) where it cannot be started, and where it has not ended after `longest`, when it is killed; nothing: it
+/// takes what it takes.
+ProcessResult run_process(const std::vector<std::string>& command,
+                          const std::optional<std::chrono::seconds>& longest = std::nullopt);
 
 /// Is there an executable file of this name on PATH?
 bool is_on_path(const std::string& program);

@@ -47,6 +47,12 @@ constexpr std::array symbols{
     Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
+    Symbol{"lbf", {{1, 1, -2, 0}, 4.4482216152605}, false},
+    Symbol{"kgf", {{1, 1, -2, 0}, 9.80665}, false},
+    Symbol{"psi", {{1, -1, -2, 0}, 6894.757293168361}, false},
+    Symbol{"bar", {{1, -1, -2, 0}, 1e5}, false},
+    Symbol{"in", {{0, 1, 0, 0}, 0.0254}, false},
+    Symbol{"ft", {{0, 1, 0, 0}, 0.3048}, false},
     Symbol{"degC", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
     Symbol{"°C", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
 };
@@ -246,7 +252,9 @@ Error bad_unit(std::string_view text, std::string_view unknown, std::string_view
     const std::optional<Unit> unit = wanted.empty() ? std::nullopt : try_unit(wanted).unit;
     const std::string near = similar_unit(text, unknown, unit ? &unit->dimension : nullptr);
     const std::string known =
-        "Known: m, g, t, s, min, h, N, daN, Pa, J, Hz, rpm, A, V, deg, rad, degC, %, with G M k c m u n.";
+        "Known: m, g, t, s, min, h, N, daN, lbf, kgf, Pa, bar, psi, J, Hz, rpm, A, V, in, ft, deg, rad, degC, %, with "
+        "G M k "
+        "c m u n.";
     const bool is_plain = wanted.empty() || wanted == "1";
     std::string help = !near.empty() ? "Did you mean \"" + near + "\"?"
                        : is_plain    ? known

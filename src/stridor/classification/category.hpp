@@ -24,10 +24,12 @@ constexpr int loudness(Category category) {
     return ranks[static_cast<std::size_t>(category)];
 }
 
-/// Why a contact makes no noise: it slides, or it sticks and the joint is carried along.
-enum class Quiet : std::uint8_t { no, slides, sticks };
+/// Why a contact makes no noise: it slides, it sticks and the joint is carried along, or it locks: it sticks and is
+/// pressed harder and harder by the way it is dragged (sprag-slip). What locks is no quiet design: it flips over,
+/// wears or breaks.
+enum class Quiet : std::uint8_t { no, slides, sticks, locks };
 
-inline constexpr std::array<std::string_view, 3> quiet_names{"no", "slides", "sticks"};
+inline constexpr std::array<std::string_view, 4> quiet_names{"no", "slides", "sticks", "locks"};
 
 /// The word of it: "slides"; "no" for a contact that is not quiet.
 constexpr std::string_view name(Quiet quiet) {

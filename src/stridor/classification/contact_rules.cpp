@@ -1,6 +1,7 @@
 #include "stridor/classification/contact_rules.hpp"
 
 #include "stridor/classification/interface_rules.hpp"
+#include "stridor/classification/locking.hpp"
 
 #include <fmt/format.h>
 
@@ -21,17 +22,89 @@ struct Decision {
     std::string reason;
 };
 
+// a figure and what is unknown of it
+struct JudgedFigure {
+    double value = 0.0;        // [1]
+    double scatter = 0.0;      // [1] standard error, from pieces of the judged time
+    double step_change = 0.0;  // [1] from twice the time step
+};
+
+double error_of(const JudgedFigure& figure) {
+    return figure.scatter > figure.step_change ? figure.scatter : figure.step_change;  // no scatter is known: NaN
+}
+
+// on which side of its threshold a figure lies, if its error does not leave that open
+enum class Side { below, above, open };
+
+Side side_of(const JudgedFigure& figure, double threshold, const parameters::Thresholds& thresholds) {
+    const double distance = figure.value - threshold;
+    if (std::abs(distance) < thresholds.least_distance * error_of(figure)) return Side::open;
+    return distance >= 0.0 ? Side::above : Side::below;
+}
+
+// what the rules look at
+struct JudgedFigures {
+    JudgedFigure slip, stick;
+    JudgedFigure regularity;         // of equal beats, or of as many unlike ones as are allowed
+    JudgedFigure repetition;         // of the pattern
+    double pattern_frequency = 0.0;  // [Hz] how often that comes again
+};
+
+bool is_proven_cycle(const analysis::Evidence& evidence) {
+    return evidence.ending.outlook.future == Future::repeats;
+}
+
+double likeness(double mismatch) {
+    return std::isfinite(mismatch) ? std::max(0.0, 1.0 - mismatch) : std::numeric_limits<double>::quiet_NaN();
+}
+
+// 1 - the least mismatch of so many lags
+JudgedFigure likeness_within(const analysis::Evidence& evidence, std::size_t lags) {
+    const analysis::Mismatch least = analysis::least_mismatch(evidence.alternation, lags);
+    JudgedFigure figure{likeness(least.mean), is_proven_cycle(evidence) ? 0.0 : least.error};
+    if (evidence.coarser) {
+        const double coarser = likeness(analysis::least_mismatch(*evidence.coarser, lags).mean);
+        if (!std::isnan(coarser)) figure.step_change = std::abs(coarser - figure.value);
+    }
+    return figure;
+}
+
+JudgedFigures figures_of(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
+    const analysis::Rates change = evidence.judged_step_change.value_or(analysis::Rates{});
+    JudgedFigures figures{{evidence.judged_rates.slip, evidence.judged_errors.slip, change.slip},
+                          {evidence.judged_rates.stick, evidence.judged_errors.stick, change.stick},
+                          likeness_within(evidence, static_cast<std::size_t>(thresholds.squeal_beats)),
+                          likeness_within(evidence, analysis::largest_lag),
+                          1.0 / evidence.alternation.period};
+    if (is_proven_cycle(evidence)) {
+        figures.repetition = {1.0};
+        figures.pattern_frequency = 1.0 / evidence.ending.outlook.period;
+    }
+    return figures;
+}
+
 Margin margin(std::string_view threshold_name, std::string_view figure_name, double figure, double threshold) {
     return {threshold_name, figure_name, figure, threshold, figure - threshold};
 }
 
-// equal beats at lag 1; with more beats allowed, the best of the lags up to that many
-double regularity_within(const analysis::Alternation& alternation, double beats) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto lags = std::min(static_cast<std::size_t>(beats), analysis::largest_lag);
-    for (std::size_t lag = 0; lag < lags; ++lag)
-        least = std::min(least, alternation.mismatch[lag]);
-    return std::isfinite(least) ? std::max(0.0, 1.0 - least) : std::numeric_limits<double>::quiet_NaN();
+Margin margin(std::string_view threshold_name, std::string_view figure_name, const JudgedFigure& figure,
+              double threshold) {
+    Margin result = margin(threshold_name, figure_name, figure.value, threshold);
+    result.error = error_of(figure);
+    return result;
+}
+
+std::vector<Margin> margins_of(const analysis::Evidence& evidence, const JudgedFigures& figures,
+                               const parameters::Thresholds& t) {
+    return {
+        margin("quiet_slip", "judged slip rate", figures.slip, t.quiet_slip),
+        margin("creak_stick", "judged stick rate", figures.stick, t.creak_stick),
+        margin("least_releases", "releases", static_cast<double>(evidence.releases), t.least_releases),
+        margin("least_intervals", "intervals", static_cast<double>(evidence.alternation.intervals), t.least_intervals),
+        margin("squeal_regularity", "regularity", figures.regularity, t.squeal_regularity),
+        margin("squeal_repetition", "repetition", figures.repetition, t.squeal_repetition),
+        margin("squeal_frequency", "patterns per second", figures.pattern_frequency, t.squeal_frequency),
+    };
 }
 
 std::string percent_text(double share) {
@@ -47,8 +120,10 @@ Decision none(Quiet quiet, const std::string& reason) {
 }
 
 // what is over before the run ends, whatever it was; nothing if the contact may change its state again
-std::optional<Decision> settled(const analysis::Evidence& evidence) {
+std::optional<Decision> settled(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
     const record::Outlook& outlook = evidence.ending.outlook;
+    if (outlook.future == Future::sticks)
+        if (const auto lock = locking(evidence, thresholds)) return Decision{Category::none, Quiet::locks, *lock};
     if (outlook.future == Future::sticks)
         return none(Quiet::sticks, fmt::format("from {} on, and never slips again (proven): the joint is carried along",
                                                seconds(evidence.ending.since)));
@@ -71,98 +146,155 @@ Decision stuck(const analysis::Evidence& evidence, const parameters::Thresholds&
                     ? "sticks in all of the judged time, yet the drive will make it slip: simulate more periods"
                     : fmt::format("sticks in all of the judged time, but slips at about {}: simulate longer than that",
                                   seconds(outlook.release))};
+    if (const auto lock = locking(evidence, thresholds)) return {Category::none, Quiet::locks, *lock};
     return none(Quiet::sticks, "in all of the judged time; the joint is carried along");
 }
 
+// how a disturbance of its sliding goes on
+std::string growth_text(const record::Outlook& outlook) {
+    if (outlook.growth == 0.0) return "nothing would press it where it slides to";
+    return fmt::format("its sliding is unstable: a small disturbance grows with {:.3g} 1/s", outlook.growth);
+}
+
+// a contact that slides in all of the judged time, and whose sliding does not last
+Decision growing(const record::Outlook& outlook) {
+    const std::string slides = "slides in all of the judged time, but " + growth_text(outlook);
+    return {Category::undecided, Quiet::no,
+            std::isnan(outlook.grown)
+                ? slides + ": simulate longer"
+                : fmt::format("{}, and ends that at about {}: simulate longer", slides, seconds(outlook.grown))};
+}
+
 // a contact that mostly sticks
-Decision sticking(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
+Decision sticking(const analysis::Evidence& evidence, const JudgedFigures& figures,
+                  const parameters::Thresholds& thresholds) {
     const std::string predominates =
         fmt::format("stick predominates with {}", percent_text(evidence.judged_rates.stick));
     const bool repeats = static_cast<double>(evidence.releases) >= thresholds.least_releases;
+    const double frequency = evidence.alternation.frequency;
+    const bool has_pitch =
+        figures.regularity.value >= thresholds.squeal_regularity && frequency >= thresholds.squeal_frequency;
+    const std::string pitch =
+        has_pitch ? fmt::format(", regularly, {:.3g} times a second: such a creak has a pitch", frequency) : "";
     if (repeats)
-        return {Category::creak, Quiet::no, fmt::format("{} and ends {} times", predominates, evidence.releases)};
-    if (evidence.ending.outlook.future == Future::repeats)
-        return {Category::creak, Quiet::no, fmt::format("{} and repeats itself for ever (proven)", predominates)};
+        return {Category::creak, Quiet::no,
+                fmt::format("{} and ends {} times{}", predominates, evidence.releases, pitch)};
+    if (is_proven_cycle(evidence))
+        return {Category::creak, Quiet::no,
+                fmt::format("{} and repeats itself for ever (proven){}", predominates, pitch)};
     return {Category::undecided, Quiet::no,
             fmt::format("{}, but ends only {} times: no repetition yet", predominates, evidence.releases)};
 }
 
-// a share that lies nearer to its threshold than it changes with the time step
-std::optional<Decision> within_step_error(std::string_view what, double share, double threshold,
-                                          std::string_view threshold_name, double change) {
-    if (!(std::abs(share - threshold) < change)) return std::nullopt;
-    return Decision{
-        Category::undecided, Quiet::no,
-        fmt::format("its {} share of {} changes by {} from twice the time step, and lies nearer than that "
-                    "to {} = {}: use a smaller run.step",
-                    what, percent_text(share), percent_text(change), threshold_name, percent_text(threshold))};
+// a figure that lies nearer to its threshold than is known of it
+Decision doubted(std::string_view what, const JudgedFigure& figure, double threshold, std::string_view threshold_name) {
+    const bool is_by_step = !(figure.scatter > figure.step_change);
+    return {Category::undecided, Quiet::no,
+            fmt::format(
+                "its {} of {:.3f} {} by {:.2g}, and lies too near to {} = {:.4g} for that: use a {}", what,
+                figure.value, is_by_step ? "changes from twice the time step" : "scatters within the judged time",
+                error_of(figure), threshold_name, threshold, is_by_step ? "smaller run.step" : "longer run.window")};
 }
 
-Decision alternating(const analysis::Alternation& alternation, double regularity,
+// why what repeats itself is no squeal yet
+std::optional<std::string> shortcoming(const analysis::Evidence& evidence, const JudgedFigures& figures,
+                                       const parameters::Thresholds& thresholds) {
+    const bool repeats = figures.repetition.value >= thresholds.squeal_regularity;
+    if (!repeats) return std::nullopt;
+    if (figures.pattern_frequency < thresholds.squeal_frequency)
+        return fmt::format("the pattern repeats, but only {:.3g} times a second", figures.pattern_frequency);
+    return fmt::format("the pattern repeats after {} unequal beats, but only to {:.3f}", evidence.alternation.lag,
+                       figures.repetition.value);
+}
+
+std::string pattern_text(const analysis::Evidence& evidence, const JudgedFigures& figures) {
+    const std::string often = fmt::format("{:.4g} times a second", figures.pattern_frequency);
+    if (is_proven_cycle(evidence))
+        return fmt::format("states alternate in a cycle that repeats itself {} (proven)", often);
+    return fmt::format("states alternate in a pattern of {} unequal beats that comes again {} (repetition {:.3f})",
+                       evidence.alternation.lag, often, figures.repetition.value);
+}
+
+Decision alternating(const analysis::Evidence& evidence, const JudgedFigures& figures,
                      const parameters::Thresholds& thresholds) {
-    const bool is_thin =
-        static_cast<double>(alternation.intervals) < thresholds.least_intervals || std::isnan(regularity);
-    if (is_thin)
+    const bool is_often = figures.pattern_frequency >= thresholds.squeal_frequency;
+    const JudgedFigure& regularity = figures.regularity;
+    const bool is_thin = static_cast<double>(evidence.alternation.intervals) < thresholds.least_intervals ||
+                         std::isnan(regularity.value);
+    if (is_thin && !(is_often && is_proven_cycle(evidence)))
         return {Category::undecided, Quiet::no,
-                fmt::format("only {} intervals between changes of state", alternation.intervals)};
-    if (regularity >= thresholds.squeal_regularity)
-        return {Category::squeal, Quiet::no, fmt::format("states alternate regularly (regularity {:.3f})", regularity)};
-    return {Category::squeak, Quiet::no, fmt::format("states alternate irregularly (regularity {:.3f})", regularity)};
+                fmt::format("only {} intervals between changes of state", evidence.alternation.intervals)};
+    const Side regular = side_of(regularity, thresholds.squeal_regularity, thresholds);
+    const Side repeats = is_often ? side_of(figures.repetition, thresholds.squeal_repetition, thresholds) : Side::below;
+    if (regular == Side::above)
+        return {Category::squeal, Quiet::no,
+                fmt::format("states alternate regularly (regularity {:.3f})", regularity.value)};
+    if (repeats == Side::above) return {Category::squeal, Quiet::no, pattern_text(evidence, figures)};
+    if (regular == Side::open)
+        return doubted("regularity", regularity, thresholds.squeal_regularity, "squeal_regularity");
+    if (repeats == Side::open)
+        return doubted("repetition", figures.repetition, thresholds.squeal_repetition, "squeal_repetition");
+    return {Category::squeak, Quiet::no,
+            fmt::format("states alternate irregularly (regularity {:.3f})", regularity.value)};
 }
 
 }  // namespace
 
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds, Creak creak) {
     const analysis::Rates& rates = evidence.judged_rates;
-    const analysis::Alternation& alternation = evidence.alternation;
-    const double regularity = regularity_within(alternation, thresholds.squeal_beats);
+    const JudgedFigures figures = figures_of(evidence, thresholds);
     Verdict verdict;
     verdict.evidence = evidence;
-    verdict.margins = {
-        margin("quiet_slip", "judged slip rate", rates.slip, thresholds.quiet_slip),
-        margin("creak_stick", "judged stick rate", rates.stick, thresholds.creak_stick),
-        margin("least_releases", "releases", static_cast<double>(evidence.releases), thresholds.least_releases),
-        margin("least_intervals", "intervals", static_cast<double>(alternation.intervals), thresholds.least_intervals),
-        margin("squeal_regularity", "regularity", regularity, thresholds.squeal_regularity),
-    };
+    verdict.margins = margins_of(evidence, figures, thresholds);
     const auto decide = [&](const Decision& decision) {
         verdict.category = decision.category;
         verdict.quiet = decision.quiet;
         verdict.reasons.push_back(decision.reason);
+        if (decision.quiet == Quiet::locks) return verdict;
+        if (const auto warning = pressing_warning(evidence, thresholds)) verdict.warnings.push_back(*warning);
         return verdict;
     };
 
     if (!(evidence.judged_time > 0.0))
         return decide({Category::undecided, Quiet::no, "no complete phase lies in the window"});
-    if (const std::optional<Decision> over = settled(evidence)) return decide(*over);
-    const analysis::Rates change = evidence.judged_step_change.value_or(analysis::Rates{});
-    if (const auto doubt = within_step_error("slip", rates.slip, thresholds.quiet_slip, "quiet_slip", change.slip))
-        return decide(*doubt);
-    if (rates.slip >= thresholds.quiet_slip)
+    if (const std::optional<Decision> over = settled(evidence, thresholds)) return decide(*over);
+    const bool grows = !std::isnan(evidence.ending.outlook.growth);
+    if (grows && rates.slip >= 1.0) return decide(growing(evidence.ending.outlook));
+    const Side slides = side_of(figures.slip, thresholds.quiet_slip, thresholds);
+    if (slides == Side::open) return decide(doubted("slip share", figures.slip, thresholds.quiet_slip, "quiet_slip"));
+    if (slides == Side::above && !grows)
         return decide(none(Quiet::slides,
                            fmt::format("{} of the judged time, and nothing alternates", percent_text(rates.slip))));
     if (rates.stick >= 1.0) return decide(stuck(evidence, thresholds));
-    verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
+    verdict.reasons.push_back(slides == Side::above
+                                  ? growth_text(evidence.ending.outlook)
+                                  : fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
+    const Side sticks = side_of(figures.stick, thresholds.creak_stick, thresholds);
     const bool may_creak = creak == Creak::possible;
-    if (const auto doubt = within_step_error("stick", rates.stick, thresholds.creak_stick, "creak_stick", change.stick);
-        doubt && may_creak)
-        return decide(*doubt);
-    if (may_creak && rates.stick >= thresholds.creak_stick) return decide(sticking(evidence, thresholds));
-    const Decision decision = alternating(alternation, regularity, thresholds);
-    const bool repeats_later = alternation.repetition >= thresholds.squeal_regularity;
-    if (decision.category == Category::squeak && repeats_later)
-        verdict.reasons.push_back(fmt::format("the pattern repeats, but only after {} unequal beats", alternation.lag));
+    if (may_creak && sticks == Side::open)
+        return decide(doubted("stick share", figures.stick, thresholds.creak_stick, "creak_stick"));
+    if (may_creak && sticks == Side::above) return decide(sticking(evidence, figures, thresholds));
+    if (analysis::stays_off(evidence))
+        return decide(
+            {Category::undecided, Quiet::no,
+             fmt::format("lifts off at {} and stays off to the end of the run", seconds(evidence.ending.since))});
+    const Decision decision = alternating(evidence, figures, thresholds);
+    if (decision.category == Category::squeak)
+        if (const std::optional<std::string> reason = shortcoming(evidence, figures, thresholds))
+            verdict.reasons.push_back(*reason);
     return decide(decision);
 }
 
-Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds) {
-    return classify_all(phase, thresholds).whole;
+Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds,
+                       const ContactNames& names) {
+    return classify_all(phase, thresholds, names).whole;
 }
 
-std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds) {
+std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds,
+                                     const ContactNames& names) {
     std::vector<Verdict> verdicts;
     for (const record::Tally& phase : phases)
-        verdicts.push_back(classify_phase(phase, thresholds));
+        verdicts.push_back(classify_phase(phase, thresholds, names));
     return verdicts;
 }
 

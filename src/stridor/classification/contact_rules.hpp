@@ -15,19 +15,26 @@ enum class Creak { possible, impossible };
 
 /// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
 ///
-///     proven to stick for ever, or to slide      none    whatever came before does not come again
-///     slip share >= quiet_slip                   none    it slides: nothing alternates
-///     stuck throughout                           none    it sticks, unless it is known to slip later (undecided) or
+///     proven to stick for ever, or to slide      none    whatever came before does not come again; what sticks and is
+///                                                        pressed harder and harder locks (locking.hpp)
+///     slip share >= quiet_slip                   none    it slides: nothing alternates. Where such sliding grows:
+///                                                        undecided if that is all it does, else by what alternates
+///     stuck throughout                           none    it sticks or locks, unless it is known to slip later
+///                                                        (undecided) or
 ///                                                        slips again and again outside the judged part (creak)
 ///     stick share >= creak_stick                 creak   stick predominates, and ends least_releases times at least
 ///                                                        or in a proven limit cycle; else undecided
 ///     fewer than least_intervals repeats         undecided
 ///     regularity >= squeal_regularity            squeal  states alternate regularly, in at most squeal_beats
 ///                                                        unlike beats
+///     repetition >= squeal_repetition, and the
+///       pattern comes squeal_frequency times a
+///       second                                   squeal  of several unequal beats, as proven limit cycles are
 ///     otherwise                                  squeak
 ///
-/// Where an engine compared two time steps, a share that lies nearer to its threshold than it changed makes the verdict
-/// undecided.
+/// A share, regularity or repetition that lies nearer to its threshold than least_distance of its errors makes the
+/// verdict undecided. Its error is how far it scatters within the judged time or, if that is more, by how much it
+/// changed from twice the time step. That of a proven limit cycle is zero.
 ///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
@@ -36,9 +43,11 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
 
 /// The verdict of one phase: that of its loudest interface (`loudness`), of equals the first, where a contact that
 /// shares its interface with no other is one by itself. A phase is quiet only if all of its loaded contacts are.
-Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds);
+Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds,
+                       const ContactNames& names = {});
 
 /// The verdict of each phase of a run, in their order.
-std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds);
+std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds,
+                                     const ContactNames& names = {});
 
 }  // namespace stridor::classification

@@ -35,16 +35,19 @@ struct InterfaceVerdict {
 ///
 /// See docs/methods/verdict.md.
 InterfaceVerdict classify_interface(const record::Tally& phase, std::size_t interface,
-                                    const parameters::Thresholds& thresholds);
+                                    const parameters::Thresholds& thresholds, const ContactNames& names = {});
 
 /// What a phase shows of all contacts.
 struct PhaseVerdicts {
-    Verdict whole;                                 // of the loudest interface (`loudness`), of equals the first
+    // of the loudest interface (`loudness`), of equals the first; one whose figures lie too near to a threshold may be
+    // as loud as any but a squeal, so that nothing quieter speaks for the phase
+    Verdict whole;
     std::vector<std::optional<Verdict>> contacts;  // shape [contact]; none of an unloaded one
     std::vector<InterfaceVerdict> interfaces;      // those of several contacts
 };
 
 /// The verdicts of one phase. A contact that shares its interface with no other is one by itself.
-PhaseVerdicts classify_all(const record::Tally& phase, const parameters::Thresholds& thresholds);
+PhaseVerdicts classify_all(const record::Tally& phase, const parameters::Thresholds& thresholds,
+                           const ContactNames& names = {});
 
 }  // namespace stridor::classification

@@ -206,8 +206,16 @@ RecordingVerdict classify_passages(std::span<const SoundStretch> stretches, std:
 }
 
 RecordingVerdict verdict_on(const sound::SoundAnalysis& channel, const SoundThresholds& t) {
-    return channel.passages.empty() ? classify_recording(channel.stretches, t)
-                                    : classify_passages(channel.stretches, channel.passages, t);
+    RecordingVerdict verdict = channel.passages.empty() ? classify_recording(channel.stretches, t)
+                                                        : classify_passages(channel.stretches, channel.passages, t);
+    const bool is_told = verdict.category == Category::squeal || verdict.category == Category::undecided;
+    if (is_told || 0.5 * channel.rate >= t.least_band) return verdict;
+    verdict.reasons.push_back(fmt::format(
+        "{} is a guess: {:.0f} samples a second hold too little of an impulse, and nothing above {:.0f} Hz. "
+        "Sample at {:.0f} Hz or more",
+        name(verdict.category), channel.rate, 0.5 * channel.rate, 2.0 * t.least_band));
+    verdict.category = Category::undecided;
+    return verdict;
 }
 
 }  // namespace stridor::classification

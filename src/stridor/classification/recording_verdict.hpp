@@ -20,7 +20,7 @@ RecordingVerdict classify_passages(std::span<const sound::SoundStretch> stretche
                                    const parameters::SoundThresholds& thresholds);
 
 /// The verdict on one channel: by the ear where it has passages, as those of microphones have, and by the rules of
-/// `classify_recording` where it is a motion.
+/// `classify_recording` where it is a motion. What is sampled below `least_band` is a squeal or undecided.
 RecordingVerdict verdict_on(const sound::SoundAnalysis& channel, const parameters::SoundThresholds& thresholds);
 
 }  // namespace stridor::classification

@@ -37,6 +37,7 @@ std::vector<Margin> margins_of(const SoundFeatures& f, const SoundThresholds& t)
         margin("least_frequency", "frequency", f.frequency, t.least_frequency),
         margin("creak_periodicity", "impulse periodicity", f.impulse_periodicity, t.creak_periodicity),
         margin("squeal_regularity", "regularity", f.regularity, t.squeal_regularity),
+        margin("squeal_repetition", "repetition", f.repetition, t.squeal_repetition),
         margin("squeal_movement", "movement", f.movement, t.squeal_movement),
     };
 }
@@ -68,12 +69,19 @@ SoundVerdict classify_sound(const SoundFeatures& f, const SoundThresholds& t) {
                                                        1e3 * f.impulse_interval, f.impulse_periodicity));
         return decide(Category::none, "and no impulses that repeat: mere rubbing");
     }
-    if (f.regularity < t.squeal_regularity)
+    const bool has_period = f.repetition >= t.squeal_repetition;
+    if (f.regularity < t.squeal_regularity && !has_period)
         return decide(Category::squeak, fmt::format("a tone at {:.0f} Hz whose cycles are alike to {:.3f} only",
                                                     f.frequency, f.regularity));
     if (f.movement > t.squeal_movement)
         return decide(Category::squeak,
                       fmt::format("a tone that moves by {:.1f} % around {:.0f} Hz", 100.0 * f.movement, f.frequency));
+    if (f.regularity < t.squeal_regularity)
+        return decide(
+            Category::squeal,
+            fmt::format("a steady sound that comes again {:.1f} times a second, alike to {:.3f}, strongest at "
+                        "{:.0f} Hz",
+                        f.repetition_frequency, f.repetition, f.frequency));
     return decide(Category::squeal, fmt::format("a steady tone at {:.0f} Hz whose cycles are alike to {:.3f}",
                                                 f.frequency, f.regularity));
 }

@@ -16,7 +16,8 @@ namespace stridor::classification {
 ///     tonality and repetition below those of rubbing, or frequency < least_frequency:
 ///         envelope's periodicity >= creak_periodicity      creak   impulses that run into each other
 ///         otherwise                                        none    rubbing without tone or impulses
-///     regularity >= squeal_regularity, movement <= squeal_movement   squeal  a tone that stays
+///     regularity >= squeal_regularity or repetition >= squeal_repetition,
+///         and movement <= squeal_movement                  squeal  a tone, or a sound of many lines, that stays
 ///     otherwise                                            squeak  a tone that is irregular or moves
 ///
 /// The gain of the sound does not matter. Sources: Elmaian et al. 2012, section 2.1, for what each noise sounds like;

@@ -23,6 +23,8 @@ constexpr double most_tasks_per_batch = 4096.0;
 constexpr std::size_t batches_at_the_end = 4;
 // mpirun kills one second after it has passed on a signal, and the store is to be written before
 constexpr auto patience = 400ms;
+// between two looks for letters more is an absence of this rank: it writes to a slow disk, or was stopped
+constexpr auto longest_look = 1s;
 
 }  // namespace
 
@@ -32,11 +34,11 @@ RankCrew::RankCrew(Post& post, const crew::Work& work, const std::stop_token& st
       relay_(stop, [this] { halt_.request_stop(); }),
       own_(options_.crew(work, halt_.get_token())) {
     STRIDOR_EXPECT(post.rank() == 0);
+    looked_ = options_.timing.now();
     const Begin begun = begin_of(work);
     for (int rank = 1; rank < post.ranks(); ++rank) {
         members_.push_back({});
         members_.back().rank = rank;
-        members_.back().heard = options_.timing.now();
         post_.send(rank, pack(begun));
     }
 }
@@ -110,10 +112,12 @@ void RankCrew::read(Member& member, Message message) {
 }
 
 void RankCrew::read_letters() {
+    const Clock::time_point now = options_.timing.now();
+    attention_ += std::min<Clock::duration>(now - std::exchange(looked_, now), longest_look);
     while (const std::optional<Letter> letter = post_.poll()) {
         STRIDOR_EXPECT(letter->from > 0 && letter->from < post_.ranks());
         Member& member = members_[static_cast<std::size_t>(letter->from - 1)];
-        member.heard = options_.timing.now();
+        member.heard = attention_;
         try {
             read(member, unpack(letter->bytes));
         } catch (const Error&) {
@@ -130,10 +134,9 @@ void RankCrew::halt_all() {
 }
 
 void RankCrew::expect_signs_of_life() {
-    const Clock::time_point now = options_.timing.now();
     for (const Member& member : members_) {
         const bool is_awaited = member.outstanding > 0 || !member.has_said_hello;
-        if (!is_awaited || now - member.heard <= options_.longest_silence || failure_) continue;
+        if (!is_awaited || attention_ - member.heard <= options_.longest_silence || failure_) continue;
         const std::string where = member.has_said_hello ? " on " + member.hello.host : "";
         fail(std::make_exception_ptr(SilentRank(
             ErrorKind::io,

@@ -57,7 +57,7 @@ private:
         std::size_t outstanding = 0;    // [1] tasks that it was given and that are not here
         std::size_t wanted = 0;         // [1] tasks that it would be given now
         double seconds_per_task = 0.0;  // [s] 0: not known yet
-        Clock::time_point heard;
+        Clock::duration heard{};        // when `attention_` was so much
     };
 
     void read_letters();
@@ -75,6 +75,8 @@ private:
     std::stop_callback<std::function<void()>> relay_;  // passes the caller's stop request on to halt_
     std::unique_ptr<crew::Crew> own_;                  // of this rank
     std::vector<Member> members_;
+    Clock::duration attention_{};  // for how long this rank has looked for letters, its own absences left out
+    Clock::time_point looked_;     // the last time
     std::vector<crew::Result> arrived_;
     std::exception_ptr failure_;
     bool was_fed_ = false;  // since the owner was last told that there is room

@@ -31,6 +31,7 @@ std::string counts_text(const sweep::Counts& counts) {
     };
     for (std::size_t k = 0; k < counts.categories.size(); ++k)
         add(classification::category_names[k], counts.categories[k]);
+    add(classification::name(classification::Quiet::locks), counts.locks);
     // status 0 is done: those are counted by category
     for (std::size_t k = 1; k < counts.statuses.size(); ++k)
         add(sweep::status_names[k], counts.statuses[k]);
@@ -39,9 +40,9 @@ std::string counts_text(const sweep::Counts& counts) {
 
 std::string progress_line(const sweep::Progress& progress, int columns) {
     const double left = static_cast<double>(progress.total - progress.done) / progress.rate;
-    const std::string numbers =
-        fmt::format("{}/{} cells  {:.0f} %  {:.3g} cells/s  {} left", progress.done, progress.total,
-                    std::floor(100.0 * share_of(progress.done, progress.total)), progress.rate, duration_text(left));
+    std::string numbers = fmt::format("{}/{} cells  {:.0f} %", progress.done, progress.total,
+                                      std::floor(100.0 * share_of(progress.done, progress.total)));
+    if (progress.rate > 0.0) numbers += fmt::format("  {:.3g} cells/s  {} left", progress.rate, duration_text(left));
     const std::string counts = counts_text(progress.counts);
     const auto width = static_cast<std::size_t>(columns > 1 ? columns - 1 : 1);
     constexpr std::size_t bar_width = 20;

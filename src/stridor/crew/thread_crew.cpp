@@ -1,12 +1,16 @@
 #include "stridor/crew/thread_crew.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/threads.hpp"
 
 #include <sched.h>
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace stridor::crew {
@@ -16,6 +20,9 @@ namespace {
 // what waits in the queue lasts so long: the owner, who writes to a disk, comes back sooner
 constexpr double queued_seconds = 0.1;
 constexpr std::size_t most_queued = 4096;  // [1] tasks
+
+// more than any machine has processors; each takes memory of its own, whether it has something to do or not
+constexpr int most_threads = 4096;  // [1]
 
 // those that this process may use, which may be fewer than the machine has
 int usable_processors() {
@@ -29,8 +36,17 @@ int usable_processors() {
 
 ThreadCrew::ThreadCrew(const Work& work, int threads, std::stop_token stop)
     : relay_(std::move(stop), [this] { halt_.request_stop(); }) {
-    for (std::size_t count = thread_count(threads); count > 0; --count)
-        threads_.emplace_back([this, worker = work.worker()] { labour(worker); });
+    try {
+        for (std::size_t count = thread_count(threads); count > 0; --count)
+            threads_.emplace_back([this, worker = work.worker()] { labour(worker); });
+    } catch (const std::system_error& failure) {
+        // those that have begun wait for tasks, and are waited for
+        halt_.request_stop();
+        throw base::no_thread(failure);
+    } catch (...) {
+        halt_.request_stop();
+        throw;
+    }
 }
 
 ThreadCrew::~ThreadCrew() {
@@ -135,6 +151,10 @@ double ThreadCrew::seconds_per_task() {
 
 std::size_t thread_count(int asked) {
     STRIDOR_EXPECT(asked >= 0);
+    if (asked > most_threads)
+        base::refuse(std::to_string(asked) + " threads are too many",
+                     "a process has " + std::to_string(most_threads) + " at most",
+                     "One per processor is best, which is what it does without being told.");
     return static_cast<std::size_t>(asked > 0 ? asked : usable_processors());
 }
 

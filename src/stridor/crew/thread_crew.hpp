@@ -17,7 +17,7 @@ namespace stridor::crew {
 /// The threads of this process.
 class ThreadCrew final : public Crew {
 public:
-    /// So many threads; 0: one per processor this process may use.
+    /// So many threads; 0: one per processor this process may use. Throws `Error` (io) where the system starts fewer.
     ThreadCrew(const Work& work, int threads, std::stop_token stop);
     ~ThreadCrew() override;
 
@@ -55,7 +55,8 @@ private:
     std::vector<std::jthread> threads_;  // last, so that they end before what they use
 };
 
-/// How many threads are meant by a number that a user gave: 0 is one per processor this process may use.
+/// How many threads are meant by a number that a user gave: 0 is one per processor this process may use. Throws `Error`
+/// (input) for more than any machine has.
 std::size_t thread_count(int asked);
 
 /// Makes crews of so many threads of this process; 0: one per processor this process may use.

@@ -26,6 +26,11 @@ inline double height_of(const Rectangle& area) {
     return area.top - area.bottom;
 }
 
+/// Do two areas have a part in common?
+inline bool touch(const Rectangle& a, const Rectangle& b) {
+    return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
+}
+
 /// A line of text on paper; the point is the middle of its height.
 struct PlacedText {
     StyledText text;
@@ -38,11 +43,19 @@ struct PlacedText {
     enum class Turn { none, quarter } turn = Turn::none;
 };
 
+/// Text within a panel.
+struct PlacedNote {
+    std::size_t layer = 0;  // of the panel, that it belongs to
+    PlacedText text;
+    std::optional<Colour> ground;  // of a patch under the letters
+};
+
 /// Where one panel stands, with the ticks of its axes.
 struct PlacedPanel {
     Rectangle area;  // inside the axis lines
     TickSet x;
     TickSet y;
+    std::vector<PlacedNote> notes{};  // in the order of their layers
 };
 
 /// A sample of the legend; its text is among the layout's texts.
@@ -53,6 +66,7 @@ struct PlacedSample {
 
 /// Where everything of a scene stands on paper.
 struct Layout {
+    double height = 0.0;                    // [mm] of the sheet: the scene's, or more
     std::vector<PlacedPanel> panels;        // as in the scene
     std::optional<PlacedPanel> colour_bar;  // its y ticks stand on the right
     std::vector<PlacedText> texts;          // titles, caption, numbers and titles of the axes, legend
@@ -61,6 +75,10 @@ struct Layout {
 
 /// Arranges a scene: panels of one column share their left and right ends, panels of one row their upper and lower
 /// ends, whatever numbers stand beside them. A pure function of the scene.
+///
+/// A text that is too long for its place is broken into lines, and the sheet grows where they would leave less than two
+/// fifths of it to the panels. Of ticks whose labels would touch every second, third, ... keeps its label; those
+/// of an axis with ticks of its own are cut where they would take more than a third of the sheet, or half of the axis.
 Layout arrange(const Scene& scene);
 
 }  // namespace stridor::drawing

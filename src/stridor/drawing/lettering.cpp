@@ -114,13 +114,20 @@ struct SetLine {
     PangoLayoutLine* letters() const { return pango().layout_get_line_readonly(layout.get(), 0); }
 };
 
+bool is_beside_equals(const std::string& text, std::size_t blank) {
+    return text[blank + 1] == '=' || (blank > 0 && text[blank - 1] == '=');
+}
+
 // a text in pieces that must stay together, each with its trailing blank
 std::vector<StyledText> words_of(const StyledText& text) {
     std::vector<StyledText> words;
     bool is_open = false;
     for (const TextRun& run : text.runs)
         for (std::size_t from = 0; from < run.text.size();) {
-            const std::size_t blank = run.text.find(' ', from);
+            std::size_t blank = run.text.find(' ', from);
+            // "F = 20 N" stays with its sign
+            while (blank != std::string::npos && is_beside_equals(run.text, blank))
+                blank = run.text.find(' ', blank + 1);
             const std::size_t to = blank == std::string::npos ? run.text.size() : blank + 1;
             if (!is_open) words.emplace_back();
             words.back().runs.push_back({run.text.substr(from, to - from), run.style});
@@ -128,6 +135,18 @@ std::vector<StyledText> words_of(const StyledText& text) {
             from = to;
         }
     return words;
+}
+
+// one by one, however many bytes each has
+std::vector<StyledText> letters_of(const StyledText& text) {
+    std::vector<StyledText> letters;
+    for (const TextRun& run : text.runs)
+        for (std::size_t from = 0, to = 0; from < run.text.size(); from = to) {
+            for (++to; to < run.text.size() && (static_cast<unsigned char>(run.text[to]) & 0xC0U) == 0x80U;)
+                ++to;
+            letters.emplace_back(std::string_view(run.text).substr(from, to - from), run.style);
+        }
+    return letters;
 }
 
 }  // namespace
@@ -153,11 +172,22 @@ double text_width(const StyledText& text, double size) {
 
 std::vector<StyledText> wrapped(const StyledText& text, double size, double width) {
     std::vector<StyledText> lines;
-    for (const StyledText& word : words_of(text)) {
-        if (lines.empty() || text_width(lines.back() + word, size) > width)
-            lines.push_back(word);
+    const auto add = [&](const StyledText& piece) {
+        if (lines.empty() || text_width(lines.back() + piece, size) > width)
+            lines.push_back(piece);
         else
-            lines.back() = lines.back() + word;
+            lines.back() = lines.back() + piece;
+    };
+    for (const StyledText& word : words_of(text)) {
+        if (text_width(word, size) <= width) {
+            add(word);
+            continue;
+        }
+        for (const StyledText& letter : letters_of(word))
+            if (plain_text(letter) == " " && !lines.empty())
+                lines.back() = lines.back() + letter;
+            else
+                add(letter);
     }
     return lines;
 }

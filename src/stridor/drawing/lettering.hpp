@@ -16,7 +16,7 @@ namespace stridor::drawing {
 /// Width of a text [mm]; `size` in pt.
 double text_width(const StyledText& text, double size);
 
-/// Cuts a text into lines at its blanks so that each is at most `width` mm wide where a blank allows it.
+/// Cuts a text into lines of at most `width` mm: at its blanks, and within a word that is wider alone.
 std::vector<StyledText> wrapped(const StyledText& text, double size, double width);
 
 /// Room that a note takes [mm], a little air included.

@@ -65,11 +65,7 @@ private:
 
 class LayerDrawer {
 public:
-    LayerDrawer(Page& page, const Panel& panel, const Rectangle& area, double font_size)
-        : page_(page),
-          panel_(panel),
-          area_(area),
-          font_size_(font_size) {}
+    LayerDrawer(Page& page, const Panel& panel, const Rectangle& area) : page_(page), panel_(panel), area_(area) {}
 
     void operator()(const Line& line) const {
         // a thick line along an edge keeps its width
@@ -97,7 +93,12 @@ public:
         for (std::size_t i = 0; i < points.x.size(); ++i)
             if (is_within(position(panel_.x, points.x[i])) && is_within(position(panel_.y, points.y[i])))
                 middles.push_back(at(points.x[i], points.y[i]));
-        draw_points(page_, middles, points);
+        if (points.columns == 0 || points.rows == 0) return draw_points(page_, middles, points);
+        const double cell = std::min(width_of(area_) / static_cast<double>(points.columns),
+                                     height_of(area_) / static_cast<double>(points.rows));
+        Points small = points;
+        small.diameter = std::min(points.diameter, 0.35 * cell / millimetres_per_point);
+        draw_points(page_, middles, small);
     }
 
     void operator()(const Strip& strip) const {
@@ -152,17 +153,9 @@ public:
         add_texture(missing, cells.missing);
     }
 
-    // the patch that keeps a texture away from the letters
-    void operator()(const Note& note) const {
-        if (!note.ground) return;
-        const TextExtent extent = note_extent(note.text, size_of(note));
-        const Dot start = start_of(note);
-        const double air = 0.5 * (extent.width - text_width(note.text, size_of(note)));
-        const double before = note.align == Align::left ? 0.0 : note.align == Align::centre ? 0.5 : 1.0;
-        const double left = start.x - air - before * (extent.width - 2.0 * air);
-        page_.fill(clipped({left, left + extent.width, start.y - 0.5 * extent.height, start.y + 0.5 * extent.height}),
-                   *note.ground);
-    }
+    // their letters stand over all layers
+    void operator()(const Note&) const {}
+    void operator()(const RegionNames&) const {}
 
     void operator()(const Rule& rule) const {
         const bool is_vertical = rule.orientation == Orientation::vertical;
@@ -175,17 +168,22 @@ public:
         page_.curve(ends, rule.stroke, LineEnd::butt);
     }
 
-    // the letters of the notes, over all layers
-    void write(const Note& note) const {
-        const Dot start = start_of(note);
-        page_.text({note.text, start.x, start.y, note.align, size_of(note), note.colour});
+    // the patch that keeps lines and textures away from the letters of a note
+    void draw_ground(const PlacedNote& note) const {
+        if (!note.ground) return;
+        const PlacedText& text = note.text;
+        const TextExtent extent = note_extent(text.text, text.size);
+        const double air = 0.5 * (extent.width - text_width(text.text, text.size));
+        const double before = text.align == Align::left ? 0.0 : text.align == Align::centre ? 0.5 : 1.0;
+        const double left = text.x - air - before * (extent.width - 2.0 * air);
+        page_.fill(clipped({left, left + extent.width, text.y - 0.5 * extent.height, text.y + 0.5 * extent.height}),
+                   *note.ground);
     }
 
 private:
     Page& page_;
     const Panel& panel_;
     const Rectangle& area_;
-    double font_size_;
 
     std::size_t columns() const {
         return static_cast<std::size_t>(std::max(1.0, width_of(area_) * columns_per_millimetre));
@@ -232,13 +230,6 @@ private:
         for (const Box& box : boxes)
             areas.push_back(on_paper(box));
         draw_texture(page_, fill, areas, 1.3);
-    }
-
-    double size_of(const Note& note) const { return note.size > 0.0 ? note.size : font_size_; }
-
-    Dot start_of(const Note& note) const {
-        if (note.anchor == Anchor::data) return at(note.x, note.y);
-        return {area_.left + width_of(area_) * note.x, area_.bottom + height_of(area_) * note.y};
     }
 };
 
@@ -290,14 +281,17 @@ void draw_frame(Page& page, const Panel& panel, const PlacedPanel& placed, TickS
 
 }  // namespace
 
-void draw_panel(Page& page, const Panel& panel, const PlacedPanel& placed, TickSide side, double font_size) {
+void draw_panel(Page& page, const Panel& panel, const PlacedPanel& placed, TickSide side) {
     draw_grid(page, panel, placed);
-    const LayerDrawer drawer(page, panel, placed.area, font_size);
-    for (const Layer& layer : panel.layers)
-        std::visit(drawer, layer);
+    const LayerDrawer drawer(page, panel, placed.area);
+    for (std::size_t layer = 0; layer < panel.layers.size(); ++layer) {
+        std::visit(drawer, panel.layers[layer]);
+        for (const PlacedNote& note : placed.notes)
+            if (note.layer == layer) drawer.draw_ground(note);
+    }
     draw_frame(page, panel, placed, side);
-    for (const Layer& layer : panel.layers)
-        if (const Note* note = std::get_if<Note>(&layer)) drawer.write(*note);
+    for (const PlacedNote& note : placed.notes)
+        page.text(note.text);
 }
 
 void draw_sample(Page& page, const PlacedSample& placed) {

@@ -9,8 +9,8 @@ namespace stridor::drawing {
 enum class TickSide { left, right };
 
 /// Draws one panel of a scene: its grid, its layers, its frame with the ticks, and its notes over all of them. The
-/// numbers of the ticks and the titles are texts of the layout. `font_size` in pt is that of notes without their own.
-void draw_panel(Page& page, const Panel& panel, const PlacedPanel& placed, TickSide side, double font_size);
+/// numbers of the ticks and the titles are texts of the layout.
+void draw_panel(Page& page, const Panel& panel, const PlacedPanel& placed, TickSide side);
 
 /// Draws a sample of the legend.
 void draw_sample(Page& page, const PlacedSample& placed);

@@ -38,11 +38,10 @@ Format format_of(const std::filesystem::path& path) {
 
 std::string render(const Scene& scene, Format format) {
     const Layout layout = arrange(scene);
-    Page page(scene.width, scene.height, format, plain_text(scene.title));
+    Page page(scene.width, layout.height, format, plain_text(scene.title));
     for (std::size_t i = 0; i < scene.panels.size(); ++i)
-        draw_panel(page, scene.panels[i], layout.panels[i], TickSide::left, scene.font_size);
-    if (layout.colour_bar)
-        draw_panel(page, colour_bar_panel(*scene.colour_bar), *layout.colour_bar, TickSide::right, scene.font_size);
+        draw_panel(page, scene.panels[i], layout.panels[i], TickSide::left);
+    if (layout.colour_bar) draw_panel(page, colour_bar_panel(*scene.colour_bar), *layout.colour_bar, TickSide::right);
     for (const PlacedSample& sample : layout.samples)
         draw_sample(page, sample);
     for (const PlacedText& text : layout.texts)

@@ -117,8 +117,24 @@ std::vector<Dot> candidates(const Map& map, const std::vector<NamePlace>& region
     return dots;
 }
 
+// what each mark that is larger than a dot of the cells takes of the paper
+std::vector<Rectangle> large_marks(const Panel& panel, const Rectangle& area) {
+    constexpr double large = 6.0;  // [pt]
+    std::vector<Rectangle> marks;
+    for (const Layer& layer : panel.layers)
+        if (const Points* points = std::get_if<Points>(&layer); points != nullptr && points->diameter >= large)
+            for (std::size_t k = 0; k < points->x.size(); ++k) {
+                const double x = area.left + width_of(area) * position(panel.x, points->x[k]);
+                const double y = area.bottom + height_of(area) * position(panel.y, points->y[k]);
+                const double reach = 0.7 * points->diameter * millimetres_per_point;
+                marks.push_back({x - reach, x + reach, y - reach, y + reach});
+            }
+    return marks;
+}
+
 // the place around which a box of this extent has most room; nothing if it fits nowhere
-std::optional<Dot> roomiest(const Map& map, const std::vector<NamePlace>& region, const TextExtent& extent) {
+std::optional<Dot> roomiest(const Map& map, const std::vector<NamePlace>& region, const TextExtent& extent,
+                            const std::vector<Rectangle>& marks) {
     Counter counter(map, region);
     std::vector<Dot> places = candidates(map, region);
     for (double growth = 1.0; !places.empty(); growth *= 1.1) {
@@ -127,8 +143,10 @@ std::optional<Dot> roomiest(const Map& map, const std::vector<NamePlace>& region
         // of the last places with room the middle one
         const Dot middle = places[places.size() / 2];
         const auto has_no_room = [&](const Dot& at) {
-            const auto under =
-                map.cells_under({at.x - half_width, at.x + half_width, at.y - half_height, at.y + half_height});
+            const Rectangle box{at.x - half_width, at.x + half_width, at.y - half_height, at.y + half_height};
+            if (std::any_of(marks.begin(), marks.end(), [&](const Rectangle& mark) { return touch(box, mark); }))
+                return true;
+            const auto under = map.cells_under(box);
             return !under || !counter.is_full(under->first, under->second);
         };
         places.erase(std::remove_if(places.begin(), places.end(), has_no_room), places.end());
@@ -143,6 +161,7 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Sty
                                const Rectangle& area, double size) {
     STRIDOR_EXPECT(names.size() == cells.fills.size());
     const Map map(cells, panel, area);
+    const std::vector<Rectangle> marks = large_marks(panel, area);
     std::vector<TextExtent> extents;
     for (const StyledText& name : names)
         extents.push_back(note_extent(name, size));
@@ -160,7 +179,7 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Sty
             for (const NamePlace& p : region)
                 surface += map.surface(p);
             if (surface < extent.width * extent.height) continue;
-            const std::optional<Dot> best = roomiest(map, region, extent);
+            const std::optional<Dot> best = roomiest(map, region, extent, marks);
             if (!best) continue;
             const auto share = [](double value, double from, double length) { return (value - from) / length; };
             notes.push_back({names[kind], share(best->x, area.left, width_of(area)),

@@ -10,7 +10,7 @@ namespace stridor::drawing {
 ///
 /// A region is a set of cells of one kind that touch by their sides. A name stands where its region has most room
 /// around it, and is left out where the region is too small; kinds without a name have an empty text. `area` is where
-/// the panel stands on paper, `size` the letters' [pt].
+/// the panel stands on paper, `size` the letters' [pt]. A name stands on no large mark of the panel's points.
 std::vector<Note> region_names(const CategoryCells& cells, const std::vector<StyledText>& names, const Panel& panel,
                                const Rectangle& area, double size);
 

@@ -99,6 +99,8 @@ struct Points {
     std::optional<Colour> rim;  // of a ring around each, half as thick as the disc, that shows it on any ground
     Mark mark = Mark::disc;
     std::optional<Colour> outline{};  // a thin line around each
+    std::size_t columns = 0;          // of a map whose cells hold the points: each stays within a third of its cell
+    std::size_t rows = 0;
 };
 
 /// States over time, one row per state: row r fills y from r + 0.1 to r + 0.9.
@@ -169,6 +171,11 @@ struct Note {
     std::optional<Colour> ground;  // of a patch under the letters, to keep textures away from them
 };
 
+/// Names written into the regions of the category cells before it, where they have room (`region_names`).
+struct RegionNames {
+    std::vector<StyledText> names;  // shape [fill]; an empty one is not written
+};
+
 /// The way of a line across a panel.
 enum class Orientation { vertical, horizontal };
 
@@ -179,7 +186,7 @@ struct Rule {
     Stroke stroke;
 };
 
-using Layer = std::variant<Line, Points, Strip, Boxes, CategoryCells, ValueCells, Note, Rule>;
+using Layer = std::variant<Line, Points, Strip, Boxes, CategoryCells, ValueCells, Note, RegionNames, Rule>;
 
 /// What surrounds a panel: two axis lines for curves, a closed frame for maps and strips.
 enum class Frame { open, closed };
@@ -213,12 +220,16 @@ struct ColourBar {
     std::optional<std::size_t> row{};  // beside this row of panels only
 };
 
+/// Does a title stand above the panels, or only among the facts of the file?
+enum class TitleText { printed, left_out };
+
 /// A whole picture.
 struct Scene {
     StyledText title;
+    TitleText title_text = TitleText::printed;
     std::vector<StyledText> caption;         // paragraphs below the title, each wrapped to the width
     double width = 170.0;                    // [mm] the text width of a two-column paper
-    double height = 100.0;                   // [mm]
+    double height = 100.0;                   // [mm] more where texts of many lines would leave panels too low
     double font_size = 8.0;                  // [pt]
     std::vector<double> column_widths{1.0};  // relative, shape [column]
     std::vector<double> row_heights{1.0};    // relative, shape [row]

@@ -7,6 +7,7 @@
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/sweep/refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,7 +166,7 @@ sweep::Study study_in(const World& world, const Json& body) {
     limit_run(study.base);
     study.x = axis_in(chart, "x");
     study.y = axis_in(chart, "y");
-    study.refine = whole_in(chart, "refine", 0);
+    study.refine = sweep::sound_refinement(study, whole_in(chart, "refine", 0));
     study.quantities = {text_in(body, "figure", "category")};
     sweep::check(study);
     return study;

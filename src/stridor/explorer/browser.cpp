@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 #include <thread>
 
 namespace stridor::explorer {
@@ -24,7 +25,13 @@ void open_browser(const std::string& file) {
         ::execlp("xdg-open", "xdg-open", file.c_str(), static_cast<char*>(nullptr));
         ::_exit(127);
     }
-    if (child > 0) std::thread([child] { ::waitpid(child, nullptr, 0); }).detach();
+    if (child < 0) return;
+    try {
+        std::thread([child] { ::waitpid(child, nullptr, 0); }).detach();
+    } catch (const std::system_error&) {
+        // without a thread to wait for it a browser that ends keeps its place among the processes until this one ends
+        return;
+    }
 }
 
 }  // namespace stridor::explorer

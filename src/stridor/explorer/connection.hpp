@@ -48,7 +48,8 @@ inline HttpRequest request_of(http::request<http::string_body>&& message) {
     return request;
 }
 
-/// Takes no more header lines than its limit, each of which needs memory of its own.
+/// Takes no more header lines than its limit, each of which needs memory of its own, and one way alone to send a body
+/// in pieces: a server before this one may read another differently.
 class Parser : public http::request_parser<http::string_body> {
 public:
     explicit Parser(const Limits& limits) : most_(limits.header_lines) {
@@ -67,12 +68,16 @@ private:
             cookies_ += (cookies_.empty() ? "" : "; ") + text(value);
         else if (++lines_ > most_ || value.size() > longest || name.size() > longest)
             error = http::error::header_limit;
+        else if (field == http::field::transfer_encoding && (has_encoding_ || !beast::iequals(value, "chunked")))
+            error = http::error::bad_transfer_encoding;
         else
             get().insert(field, name, value);
+        has_encoding_ = has_encoding_ || field == http::field::transfer_encoding;
     }
 
     std::size_t most_;
     std::size_t lines_ = 0;
+    bool has_encoding_ = false;
     std::string cookies_;
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -111,26 +112,42 @@ struct Shared : std::enable_shared_from_this<Shared> {
 private:
     void fill() {
         while (making < limits.workers && !waiting.empty()) {
-            auto [work, task] = std::move(waiting.front());
-            waiting.pop_front();
+            auto& [work, task] = waiting.front();
+            if (!start(task)) return try_again();
             work->state = Answering::State::making;
             ++making;
-            start(std::move(task));
+            waiting.pop_front();
         }
     }
 
-    void start(Task task) {
+    // false where the system starts no more threads
+    bool start(const Task& asked) {
         {
             const std::lock_guard lock(mutex_);
             ++threads_;
         }
-        std::thread([self = shared_from_this(), task = std::move(task)]() mutable {
-            task();
-            task = nullptr;  // what it holds stands on `self`
-            const std::lock_guard lock(self->mutex_);
-            --self->threads_;
-            self->ended_.notify_all();
-        }).detach();
+        try {
+            std::thread([self = shared_from_this(), task = asked]() mutable {
+                task();
+                task = nullptr;  // what it holds stands on `self`
+                const std::lock_guard lock(self->mutex_);
+                --self->threads_;
+                self->ended_.notify_all();
+            }).detach();
+            return true;
+        } catch (const std::system_error&) {
+            const std::lock_guard lock(mutex_);
+            --threads_;
+            return false;
+        }
+    }
+
+    // an answer that waits for too long is given up by its deadline
+    void try_again() {
+        again_.expires_after(std::chrono::milliseconds(100));
+        again_.async_wait([this](const boost::system::error_code& error) {
+            if (!error) fill();
+        });
     }
 
     void await_end(const std::shared_ptr<Answering>& work, const Task& unanswered) {
@@ -147,6 +164,7 @@ private:
         });
     }
 
+    boost::asio::steady_timer again_{io};  // when the next thread is tried
     std::mutex mutex_{};
     std::condition_variable ended_{};
     std::size_t threads_ = 0;  // that make answers, given up or not

@@ -123,9 +123,11 @@ std::string palette() {
 
 // what the numbers of a chart's frame stand for (see answers_chart.cpp)
 WordList chart_kinds() {
-    sweep::CellVerdict stuck{sweep::Status::done, classification::Category::none, classification::Quiet::sticks};
     WordList kinds = words_of(classification::category_names);
-    kinds.push_back(drawing::plain_text(pictures::kind_names()[pictures::kind_of(stuck)]));
+    for (const classification::Quiet quiet : {classification::Quiet::sticks, classification::Quiet::locks}) {
+        const sweep::CellVerdict cell{sweep::Status::done, classification::Category::none, quiet};
+        kinds.push_back(drawing::plain_text(pictures::kind_names()[pictures::kind_of(cell)]));
+    }
     return kinds;
 }
 

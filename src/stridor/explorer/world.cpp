@@ -1,13 +1,12 @@
 #include "stridor/explorer/world.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/axis_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
-#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/sweep/usual_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,37 +61,17 @@ const Preset& preset_named(const World& world, std::string_view name) {
 
 namespace {
 
-// the page's own chart is over the friction, which cannot be set where it follows the temperature
-io::AxisTexts axes_over_temperature(const parameters::Case& c) {
-    const std::vector<double>& at = c.temperature.at;
-    return {"contact.preload=1:80:64:linear",
-            "temperature.value=" + base::shortest(at.front()) + ":" + base::shortest(at.back()) + ":64"};
-}
-
-// a range about a value, in equal ratios
-std::string axis_about(const std::string& key, double value, int points) {
-    constexpr double reach = 8.0;
-    return key + "=" + base::shortest(value / reach) + ":" + base::shortest(value * reach) + ":" +
-           std::to_string(points) + ":log";
-}
-
-// over the first two that the case has; where a cell costs more than one of the paper's the chart has fewer
-io::AxisTexts axes_of_structure(const parameters::Case& c) {
+// where a cell costs more than one of the paper's the chart has fewer
+int chart_points(const parameters::Case& c) {
     constexpr double wait = 40.0;  // [s] of one core, for a chart
-    constexpr int fewest = 8, most = 24;
-    const int points =
-        static_cast<int>(std::clamp(std::sqrt(wait / structure_seconds(c)), double{fewest}, double{most}));
-    std::vector<std::string> axes;
-    if (parameters::belongs(c, "contact.preload") && c.contact.preload > 0.0)
-        axes.push_back(axis_about("contact.preload", c.contact.preload, points));
-    if (parameters::belongs(c, "contact.kinetic_friction") && c.contact.static_friction > 0.0)
-        axes.push_back("contact.kinetic_friction=0:" + base::shortest(c.contact.static_friction) + ":" +
-                       std::to_string(points));
-    if (parameters::belongs(c, "drive.velocity"))
-        axes.push_back(axis_about("drive.velocity", std::abs(c.drive.velocity), points));
-    axes.push_back(axis_about("structure.stiffness_scale", c.structure_scales.stiffness, points));
-    if (axes.size() < 2) axes.push_back("structure.damping_scale=0.1:10:" + std::to_string(points) + ":log");
-    return {axes[0], axes[1]};
+    constexpr int fewest = 8, most = 24, of_joints = 64, of_several = 16;
+    if (!c.own_structure) return c.further_joints.empty() ? of_joints : of_several;
+    return static_cast<int>(std::clamp(std::sqrt(wait / structure_seconds(c)), double{fewest}, double{most}));
+}
+
+io::AxisTexts axes_around(const parameters::Case& c) {
+    const auto [x, y] = sweep::usual_axes(c, chart_points(c));
+    return {io::axis_text(x), io::axis_text(y)};
 }
 
 }  // namespace
@@ -122,12 +101,7 @@ Preset preset_of(const io::TomlSource& source) {
     // what is wrong is said here and not in the page
     const parameters::Case c = io::read_case(document, {keep, io::read_own_structure});
     preset.structure = c.own_structure;
-    if (document.find("chart") != nullptr)
-        preset.study = io::read_study(source);
-    else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)
-        preset.study = io::read_study(source, axes_over_temperature(c));
-    else if (c.own_structure)
-        preset.study = io::read_study(source, axes_of_structure(c));
+    preset.study = io::read_study(source, document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c));
     return preset;
 }
 

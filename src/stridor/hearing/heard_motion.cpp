@@ -23,13 +23,6 @@ constexpr std::string_view by_default = "joint";
 constexpr std::size_t most_named = 12;  // contacts that a message lists
 constexpr double equal = 1.0 + 1e-9;    // [1] of levels that differ by rounding
 
-std::vector<std::string> contact_names(const Case& c) {
-    std::vector<std::string> names;
-    for (std::size_t contact = 0; contact < parameters::contact_count(c); ++contact)
-        names.push_back(parameters::contact_name(c, contact));
-    return names;
-}
-
 std::string listed_names(std::vector<std::string> names) {
     if (names.size() > most_named) {
         names.resize(most_named);
@@ -79,7 +72,7 @@ HeardMotion motion_of_output(const parameters::OwnOutput& output, const AskedMot
 
 // none of its contacts: a row of an own structure
 HeardMotion motion_of_row(const Case& c, const AskedMotion& asked) {
-    const std::vector<std::string> names = contact_names(c);
+    const std::vector<std::string> names = classification::contact_names(c);
     const std::string unknown = "\"" + base::visible(asked.of) + "\" is ";
     if (!c.own_structure)
         base::refuse(unknown + "nothing that moves in this case", "",
@@ -106,7 +99,7 @@ std::string along(const std::string& component) {
 std::optional<HeardMotion> named_motion(const Case& c, const AskedMotion& asked) {
     if (asked.of == "plate" && !c.own_structure) return motion_of_plate(asked);
     if (const parameters::OwnOutput* output = find_output(c, asked)) return motion_of_output(*output, asked);
-    const std::vector<std::string> names = contact_names(c);
+    const std::vector<std::string> names = classification::contact_names(c);
     if (asked.of == by_default) return names.size() > 1 ? std::nullopt : std::optional(motion_of_contact(c, 0, asked));
     const auto contact = std::find(names.begin(), names.end(), asked.of);
     if (contact == names.end()) return motion_of_row(c, asked);

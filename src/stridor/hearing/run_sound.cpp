@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/base/whole.hpp"
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/sound/analysis.hpp"
@@ -89,12 +90,12 @@ private:
 
     // of the first sample that is not before this instant, as `sound::Auralisation` cuts
     std::size_t index(double time) const {
-        auto n = static_cast<std::size_t>(std::max(0.0, std::floor((time - begin_) * sound_.rate)));
+        std::size_t n = base::whole_below((time - begin_) * sound_.rate, sound_.samples.size());
         while (n > 0 && instant(n - 1) >= time)
             --n;
-        while (instant(n) < time)
+        while (n < sound_.samples.size() && instant(n) < time)
             ++n;
-        return std::min(sound_.samples.size(), n);
+        return n;
     }
 
     Signal part(const Stretch& stretch) const {

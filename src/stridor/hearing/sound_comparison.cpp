@@ -1,6 +1,7 @@
 #include "stridor/hearing/sound_comparison.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/whole.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
@@ -28,6 +29,7 @@ using classification::ComparedSound;
 constexpr double motion_rate = 48000.0;        // [Hz] of simulations among themselves
 constexpr double least_motion_rate = 8000.0;   // [Hz] beside recordings of any rate
 constexpr double most_motion_rate = 192000.0;  // [Hz]
+constexpr std::size_t most_frames = std::size_t{1} << 40U;
 
 std::unique_ptr<signal::Source> opened(const RecordedSound& recorded, double rate,
                                        std::optional<std::size_t> channel = std::nullopt) {
@@ -50,8 +52,8 @@ const sound::SoundFeatures* loudest_stretch(const ComparedSound& sound) {
 
 // so many frames from an instant on of a source of one channel, which stands at its beginning
 std::vector<double> frames_from(signal::Source& source, double from, double duration) {
-    const auto first = static_cast<std::uint64_t>(std::max(0.0, std::round(from * source.layout().rate)));
-    const auto count = static_cast<std::uint64_t>(std::round(duration * source.layout().rate));
+    const std::size_t first = base::whole_near(from * source.layout().rate, most_frames);
+    const std::size_t count = base::whole_near(duration * source.layout().rate, most_frames);
     std::vector<double> kept;
     std::vector<double> block(16384);
     std::uint64_t place = 0;
@@ -72,7 +74,7 @@ void set_detail(ComparedSound& sound, signal::Source& source, double detail) {
     const double length = std::min(std::max(detail, stretch == nullptr ? duration : stretch->duration), 1.0);
     sound.detail.signal = {sound.analysis.rate, sound.analysis.unit, frames_from(source, from, length)};
     std::vector<double>& samples = sound.detail.signal.samples;
-    const auto size = static_cast<std::size_t>(std::round(detail * sound.analysis.rate));
+    const std::size_t size = base::whole_near(detail * sound.analysis.rate, most_frames);
     const auto greatest =
         std::max_element(samples.begin(), samples.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     std::size_t begin = static_cast<std::size_t>(greatest - samples.begin());
@@ -172,7 +174,8 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
     set_spectrogram(sound, *rendering.sound);
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, comparison.detail);
-    sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
+    sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict,
+                                                             classification::contact_names(simulated.c));
     for (const std::size_t contact : shown_contacts(simulated.c, motion, sound.contact))
         sound.contact.histories.push_back(heard_history(rendering.record.histories[contact], settings.stretches,
                                                         sound.detail.from,

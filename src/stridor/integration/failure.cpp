@@ -15,14 +15,13 @@ namespace stridor::integration {
 
 Error beyond_step_limit(const parameters::Case& c) {
     const double limit = cost(c).step_limit;
-    if (c.run.engine == parameters::Engine::moreau)
-        return {ErrorKind::input,
-                {fmt::format("run.step = {} s is beyond the limit {:.4g} s", base::shortest(c.run.step), limit),
-                 "at twice the step, with which it is compared, more than half a period of the fastest mode would pass",
-                 fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)}};
+    const bool is_moreau = c.run.engine == parameters::Engine::moreau;
     return {ErrorKind::input,
-            {fmt::format("run.step = {} s is beyond the stability limit {:.4g} s", base::shortest(c.run.step), limit),
-             "the highest open mode would grow without bound",
+            {fmt::format("run.step = {} s is beyond the {} {:.4g} s", base::shortest(c.run.step),
+                         is_moreau ? "limit" : "stability limit", limit),
+             fmt::format("at twice the step, with which it is compared, {}",
+                         is_moreau ? "more than half a period of the fastest mode would pass"
+                                   : "the highest open mode would grow without bound"),
              fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)}};
 }
 

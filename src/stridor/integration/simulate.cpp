@@ -6,10 +6,11 @@
 #include "stridor/integration/initial_state.hpp"
 #include "stridor/integration/massless/massless_structure.hpp"
 #include "stridor/integration/moreau/moreau_twice.hpp"
+#include "stridor/integration/sliding_growth.hpp"
+#include "stridor/integration/step_twice.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
@@ -23,15 +24,39 @@ namespace stridor::integration {
 
 namespace {
 
+using parameters::Engine;
+
+// what the contacts carry at rest belongs to what is known of them
+void tell_preloads(const model::Structure& structure, std::vector<record::Tally>& phases) {
+    for (record::Tally& phase : phases)
+        for (std::size_t k = 0; k < structure.contacts.size(); ++k)
+            phase.contacts[k].preload = structure.contacts[k].preload;
+}
+
+// the paper's joint alone
+Motion run_joint(const parameters::Case& c, const model::Structure& structure, const record::Request& request,
+                 std::stop_token stop, Workspace& workspace) {
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure), 1);
+    const Start start{c.run.initial, c.run.perturbation};
+    if (c.run.engine == Engine::beta_2) {
+        const StepRun run = [&](double step, record::Recorder taker) {
+            return integrate_beta_2(structure, c.drive, start, {step, c.run.beta_2}, std::move(taker), stop);
+        };
+        return run_twice(run, c.run.step, structure, std::move(recorder));
+    }
+    return integrate_exact(structure, c.drive, start, {c.run.early_ending, workspace.instruction_set},
+                           std::move(recorder), std::move(stop), workspace.flows);
+}
+
 // by the engines that take structures of any size with any number of contacts
-Motion simulate_any_size(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
-    const model::Structure structure = model::structure_of(c);
+Motion run_any_size(const parameters::Case& c, const model::Structure& structure, const record::Request& request,
+                    const std::stop_token& stop) {
     record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
                               static_cast<int>(structure.contacts.size()), model::channels_of(structure),
                               model::interfaces_of(structure));
     const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
     const InitialState start = initial_state(c, structure, velocity);
-    if (c.run.engine == parameters::Engine::moreau)
+    if (c.run.engine == Engine::moreau)
         return integrate_twice(structure, c.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
                                std::move(recorder), stop);
     return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), stop);
@@ -44,11 +69,12 @@ Cost cost(const parameters::Case& c) {
         return {std::ceil(1.5 * c.run.duration / c.run.step),
                 0.5 * longest_step(massless_structure(model::structure_of(c), c.run.massless_above))};
     const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
-    if (c.run.engine == parameters::Engine::exact)
+    if (c.run.engine == Engine::exact)
         return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
-    if (c.run.engine == parameters::Engine::moreau)  // at the step and at twice the step
-        return {std::ceil(1.5 * c.run.duration / c.run.step), 0.5 * std::numbers::pi / fastest};
-    return {std::ceil(c.run.duration / c.run.step), stable_step(c.run.beta_2, fastest)};
+    // at the step and at twice the step
+    const double limit =
+        c.run.engine == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
+    return {std::ceil(1.5 * c.run.duration / c.run.step), 0.5 * limit};
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
@@ -57,21 +83,19 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
-    if (c.own_structure || !c.further_joints.empty() || c.run.engine == parameters::Engine::moreau)
-        return simulate_any_size(c, request, stop);
-    record::Recorder recorder(record::schedule(c), request, model::dofs_of_system(c), 1);
-    switch (c.run.engine) {
-        case parameters::Engine::exact:
-            return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                                   {c.run.early_ending, workspace.instruction_set}, std::move(recorder),
-                                   std::move(stop), workspace.flows);
-        case parameters::Engine::beta_2:
-            return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                                    {c.run.step, c.run.beta_2}, std::move(recorder), stop);
-        case parameters::Engine::moreau:
-            break;  // above
-    }
-    return {};
+    const model::Structure structure = model::structure_of(c);
+    const bool has_any_size = c.own_structure || !c.further_joints.empty() || c.run.engine == Engine::moreau;
+    Motion motion = has_any_size ? run_any_size(c, structure, request, stop)
+                                 : run_joint(c, structure, request, std::move(stop), workspace);
+    tell_preloads(structure, motion.record.phases);
+    if (motion.massless) tell_preloads(structure, motion.massless->phases);
+    if (!has_result(motion.outcome) || !parameters::is_steady(c.drive)) return motion;
+    const SteadyRun run{.surface_velocity = parameters::velocity_profile(c.drive).velocity,
+                        .end = c.run.duration,
+                        .least_slip = c.verdict.quiet_slip};
+    tell_growth(structure, run, motion.record.phases);
+    if (motion.massless) tell_growth(structure, run, motion.massless->phases);
+    return motion;
 }
 
 }  // namespace stridor::integration

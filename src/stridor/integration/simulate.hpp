@@ -27,7 +27,7 @@ struct Workspace {
 };
 
 /// Runs a case with the engine it names; the one door to all engines. Of several joints, and of a structure of the
-/// user's own, `exact` is the Taylor engine. `moreau` is run at twice the step, too.
+/// user's own, `exact` is the Taylor engine. Engines by time steps are run at twice the step, too.
 ///
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);

@@ -34,6 +34,10 @@ using record::Outlook;
 // what rounding may make of a margin, as a share of the forces it is the difference of
 constexpr double margin_rounding = 0x1p-40;
 
+double modulus(const std::complex<double>& number) {
+    return std::sqrt(number.real() * number.real() + number.imag() * number.imag());
+}
+
 // a margin of the stick over time
 struct ForceMargin {
     double now = 0.0;        // [N] its forced part at this instant; of a sinusoidal drive without what oscillates
@@ -41,6 +45,12 @@ struct ForceMargin {
     double amplitude = 0.0;  // [N] of what oscillates with the drive
     double vibration = 0.0;  // [N] most that the free vibration takes from it
     double rounding = 0.0;   // [1] share of now below which nothing is known
+};
+
+// both margins, and the normal force that they are made of
+struct Holding {
+    std::array<ForceMargin, 2> margins;
+    record::Drag drag;
 };
 
 class Stick {
@@ -66,8 +76,8 @@ public:
         return stiffness_.llt().info() == Eigen::Success && damping_.ldlt().isPositive();
     }
 
-    std::array<ForceMargin, 2> under_constant_drive() const;
-    std::array<ForceMargin, 2> under_sinusoidal_drive(double omega) const;
+    Holding under_constant_drive() const;
+    Holding under_sinusoidal_drive(double omega) const;
 
 private:
     // mu_s N - T, which ends in slip backward, and mu_s N + T, forward
@@ -82,6 +92,13 @@ private:
     }
 
     double vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate) const;
+
+    // of a normal force that grows by `slope` [N/s]
+    record::Drag drag(double normal_force, double slope) const {
+        const double lasted = now_.time - now_.since;
+        const double speed = std::abs(now_.surface_velocity);
+        return {normal_force - slope * lasted, normal_force, speed * lasted, speed > 0.0 ? slope / speed : 0.0};
+    }
 
     const model::Structure& s_;
     std::array<double, 2> limits_;  // [1] of the stick, shape [margin]
@@ -105,7 +122,7 @@ double Stick::vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate
     return std::sqrt(twice_energy * (a.dot(stiffness_.inverse() * a) + b.dot(mass_.inverse() * b)));
 }
 
-std::array<ForceMargin, 2> Stick::under_constant_drive() const {
+Holding Stick::under_constant_drive() const {
     const double V = now_.surface_velocity;
     const MatrixXd flexibility = stiffness_.inverse();
     const VectorXd q_slope = flexibility * (free_.transpose() * (s_.stiffness * carried_)) * -V;
@@ -126,11 +143,12 @@ std::array<ForceMargin, 2> Stick::under_constant_drive() const {
         margins[k].vibration = vibration(k, e, e_rate);
         margins[k].rounding = margin_rounding * (limits_[k] * std::abs(f_now(0)) + std::abs(f_now(1)));
     }
-    return margins;
+    const double terms = forces_.row(0).cwiseAbs() * (s_.stiffness.cwiseAbs() * u_slope.cwiseAbs());
+    return {margins, drag(f_now(0), std::abs(f_slope(0)) > margin_rounding * terms ? f_slope(0) : 0.0)};
 }
 
 // x = x_c + Re(X exp(i omega t)), so V = Re(i omega X) and V' = -omega² Re X
-std::array<ForceMargin, 2> Stick::under_sinusoidal_drive(double omega) const {
+Holding Stick::under_sinusoidal_drive(double omega) const {
     using Complex = std::complex<double>;
     const Complex X(-now_.surface_acceleration / (omega * omega), -now_.surface_velocity / omega);
     const double centre = x_ - X.real();
@@ -150,18 +168,19 @@ std::array<ForceMargin, 2> Stick::under_sinusoidal_drive(double omega) const {
     std::array<ForceMargin, 2> margins;
     for (std::size_t k = 0; k < margins.size(); ++k) {
         margins[k].now = margin_of(f_centre, k);
-        const Complex swing = margin_of(f_swing, k);
-        margins[k].amplitude = std::sqrt(swing.real() * swing.real() + swing.imag() * swing.imag());
+        margins[k].amplitude = modulus(margin_of(f_swing, k));
         margins[k].vibration = vibration(k, e, e_rate);
         margins[k].rounding =
             margin_rounding * (limits_[k] * std::abs(f_centre(0)) + std::abs(f_centre(1)) + margins[k].amplitude);
     }
-    return margins;
+    const double swing = modulus(f_swing(0));
+    return {margins, {f_centre(0) - swing, f_centre(0) + swing, 2.0 * modulus(X), 0.0}};
 }
 
-Outlook judge(const std::array<ForceMargin, 2>& margins, double time) {
+Outlook judge(const Holding& holding, double time) {
     Outlook outlook{Future::sticks};
-    for (const ForceMargin& margin : margins) {
+    outlook.drag = holding.drag;
+    for (const ForceMargin& margin : holding.margins) {
         const double steady = margin.now - margin.amplitude;
         const bool ends = margin.slope < 0.0 || steady < -margin.rounding;
         const bool holds = steady - margin.vibration > margin.rounding;

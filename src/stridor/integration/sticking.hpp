@@ -15,6 +15,7 @@ struct StuckState {
     double surface_velocity = 0.0;      // [m/s] V
     double surface_acceleration = 0.0;  // [m/s^2] V'
     double time = 0.0;                  // [s]
+    double since = 0.0;                 // [s] when it began to stick
 };
 
 /// Does a contact that sticks now stick for ever, if the drive goes on as it is?
@@ -22,7 +23,8 @@ struct StuckState {
 /// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive
 /// itself builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a
 /// sampled drive, and where a free motion has no stiffness or negative damping. A release under a constant drive comes
-/// with its time, about. Throws `Error` (input) what `only_contact` refuses.
+/// with its time, about. Whatever is known, it comes with how the normal force follows the way (`Drag`). Throws
+/// `Error` (input) what `only_contact` refuses.
 record::Outlook outlook_of_stick(const model::Structure& structure, const parameters::VelocityProfile& profile,
                                  const StuckState& now);
 

@@ -131,12 +131,14 @@ inline Json case_units(const parameters::Case& c) {
 /// Margins, each figure beside its threshold.
 inline Json margins_array(std::span<const classification::Margin> margins) {
     Json array = Json::array();
-    for (const classification::Margin& margin : margins)
+    for (const classification::Margin& margin : margins) {
         array.push_back({{"threshold", margin.threshold_name},
                          {"figure", margin.figure_name},
                          {"value", margin.figure},
                          {"threshold_value", margin.threshold},
                          {"distance", margin.distance}});
+        if (margin.error) array.back()["error"] = *margin.error;
+    }
     return array;
 }
 

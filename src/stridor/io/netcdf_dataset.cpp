@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -22,6 +23,8 @@ namespace {
 constexpr std::size_t first_size = 65536;  // [1] bytes; the library enlarges it as needed
 // [1] bytes of a Zarr folder in memory; less opens it oftener
 constexpr std::size_t most_held = std::size_t{16} << 20U;
+// [1] bytes; HDF5 takes no attribute of 64 KiB
+constexpr std::size_t longest_attribute = std::size_t{32} << 10U;
 
 }  // namespace
 
@@ -66,7 +69,14 @@ void NetcdfDataset::attribute(int variable, const std::string& name, const std::
 }
 
 void NetcdfDataset::attribute(const std::string& name, const std::string& text) {
-    attribute(NC_GLOBAL, name, text);
+    const bool fits = text.size() <= longest_attribute || format_ == DatasetFormat::zarr;  // Zarr's are JSON
+    if (fits) return attribute(NC_GLOBAL, name, text);
+    const int length = dimension(name + "_length", text.size());
+    const int number = define(name, NC_CHAR, std::array{length}, {});
+    check(netcdf().nc_def_var_deflate(id_, number, 0, 1, 1));
+    // readers make one text of its letters
+    attribute(number, "_Encoding", "utf-8");
+    check(netcdf().nc_put_var_text(id_, number, text.c_str()));
 }
 
 int NetcdfDataset::define(const std::string& name, int type, std::span<const int> dimensions,

@@ -55,7 +55,8 @@ public:
 
     /// Adds a dimension of `size` values and returns its number.
     int dimension(const std::string& name, std::size_t size);
-    /// Adds an attribute of the file.
+    /// Adds an attribute of the file. In netCDF a text of more than 32 KiB becomes a variable of this name instead, of
+    /// letters along NAME_length.
     void attribute(const std::string& name, const std::string& text);
 
     /// Each returns the variable's number.

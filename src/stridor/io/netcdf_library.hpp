@@ -40,6 +40,7 @@ struct Netcdf {
     decltype(&::nc_put_att_text) nc_put_att_text = library.function("nc_put_att_text");
     decltype(&::nc_put_var_double) nc_put_var_double = library.function("nc_put_var_double");
     decltype(&::nc_put_var_schar) nc_put_var_schar = library.function("nc_put_var_schar");
+    decltype(&::nc_put_var_text) nc_put_var_text = library.function("nc_put_var_text");
     decltype(&::nc_put_var_string) nc_put_var_string = library.function("nc_put_var_string");
     decltype(&::nc_put_vara_double) nc_put_vara_double = library.function("nc_put_vara_double");
     decltype(&::nc_put_vara_schar) nc_put_vara_schar = library.function("nc_put_vara_schar");

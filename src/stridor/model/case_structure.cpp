@@ -6,6 +6,7 @@
 #include "stridor/model/static_contact.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace stridor::model {
@@ -37,14 +38,25 @@ Eigen::MatrixXd damping_of(const OwnStructure& own, const Structure& structure) 
 }
 
 void press_by_preload(Structure& structure, const parameters::Case& c) {
-    for (std::size_t k = 0; k < structure.contacts.size(); ++k)
-        structure.load -= parameters::contact_of(c, k).preload * structure.contacts[k].normal;
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+        ContactPoint& contact = structure.contacts[k];
+        contact.preload = parameters::contact_of(c, k).preload;
+        structure.load -= contact.preload * contact.normal;
+    }
 }
 
 // from here on displacements are those from the place where it rests
-void press_by_load(Structure& structure) {
+// a body that moves at the start may meet a surface that nothing presses it on
+bool is_flying(const OwnStructure& own) {
+    return std::any_of(own.initial_velocity.begin(), own.initial_velocity.end(), [](double v) { return v != 0.0; });
+}
+
+void press_by_load(Structure& structure, const OwnStructure& own) {
+    const bool has_overlap = std::any_of(structure.contacts.begin(), structure.contacts.end(),
+                                         [](const ContactPoint& contact) { return contact.initial_gap < 0.0; });
+    if (structure.load.isZero(0.0) && !has_overlap && is_flying(own)) return;
     const Equilibrium rest = static_contact(structure);
-    if (!(rest.normal_forces.maxCoeff() > 0.0))
+    if (!(rest.normal_forces.maxCoeff() > 0.0) && !is_flying(own))
         base::refuse("no contact is closed at rest", "the load does not press the structure on its contacts",
                      "Check the signs of load and normals, or give contacts a negative initial_gap.");
     structure.load.setZero();
@@ -52,6 +64,7 @@ void press_by_load(Structure& structure) {
         ContactPoint& contact = structure.contacts[k];
         const double force = rest.normal_forces(static_cast<Index>(k));
         structure.load -= force * contact.normal;
+        contact.preload = std::max(0.0, force);
         const double gap = contact.initial_gap + contact.normal.dot(rest.displacement);
         contact.initial_gap = force > 0.0 || gap < 0.0 ? 0.0 : gap;
     }
@@ -69,6 +82,7 @@ Structure structure_of(const parameters::Case& c) {
     structure.stiffness = c.structure_scales.stiffness * matrix_of(own.stiffness, rows);
     structure.damping = c.structure_scales.damping * damping_of(own, structure);
     structure.load = vector_of(own.load, rows);
+    structure.left_out_above = own.left_out_above;
     if (parameters::is_by_force(c.drive)) structure.shaken = vector_of(own.force, rows);
     structure.measured = Eigen::MatrixXd(2 * count, rows);
     const std::vector<int> interfaces = parameters::interface_numbers(own);
@@ -94,7 +108,7 @@ Structure structure_of(const parameters::Case& c) {
     if (parameters::is_preloaded(own))
         press_by_preload(structure, c);
     else
-        press_by_load(structure);
+        press_by_load(structure, own);
     return structure;
 }
 

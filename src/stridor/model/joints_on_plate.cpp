@@ -36,6 +36,7 @@ Structure joints_on_plate(std::span<const PlateJoint> joints, const parameters::
         contact.tangent(along) = 1.0;
         contact.friction = friction_law(rubbed);
         contact.impact = impact_law(rubbed);
+        contact.preload = rubbed.preload;
         structure.body.insert(structure.body.end(), {k, k});
     }
     structure.body.push_back(count);

@@ -22,7 +22,8 @@ struct ContactPoint {
     // [1] the other direction of slip, shape [dof]: friction has a circular cone then; empty: slip is along t alone
     Eigen::VectorXd second_tangent{};
     double second_drive_share = 0.0;  // [1] of V(t) along it
-    int interface = -1;  // contacts of one number are one interface, judged as a whole; below 0: one by itself
+    int interface = -1;    // contacts of one number are one interface, judged as a whole; below 0: one by itself
+    double preload = 0.0;  // [N] N at rest, which its growth is held against; 0: not known, or open there
 };
 
 /// A linear structure with unilateral frictional contacts, what every engine sees:
@@ -42,7 +43,8 @@ struct Structure {
     Eigen::VectorXd shaken{};  // [1] share of an imposed force that acts on each; shape [dof]; empty: none does
     // [1] what is recorded as vibration: the velocities measured * u'; shape [channel][dof]; empty: u' itself
     Eigen::MatrixXd measured{};
-    std::vector<int> body{};  // number of the body that each channel belongs to, rising; empty: each its own
+    double left_out_above = 0.0;  // [Hz] modes above it were left out when it was made; 0: none were
+    std::vector<int> body{};      // number of the body that each channel belongs to, rising; empty: each its own
 };
 
 /// Matrices and load of zeros for so many degrees of freedom, and as many contacts with normals and tangents of zeros.

@@ -139,11 +139,10 @@ Marker::Marker(const fs::path& audio_folder) {
         descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno == EEXIST) continue;
         if (descriptor_ < 0) throw storage::system_failure("write", incoming(audio_folder).string(), errno);
-        while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR)
-            continue;
-        // somebody may have taken it for a dead one before it was locked
+        // somebody may have taken it for a dead one before it was locked, and is not waited for
+        const bool is_taken = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat status {};
-        if (::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) break;
+        if (!is_taken && ::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) break;
         ::close(descriptor_);
     }
     storage::flush_folder(incoming(audio_folder), incoming(audio_folder).string());

@@ -293,12 +293,13 @@ std::vector<std::string> Library::words(std::string_view field) {
     return words;
 }
 
-Library open_library(const fs::path& named, Access access) {
+Library open_library(const fs::path& named, Access access, const storage::WaitOptions& waiting) {
     const fs::path file = named.empty() ? default_library() : named;
     if (named.empty() && access == Access::fill)
         storage::make_folder(file.parent_path(), "Name another place with --library FILE.");
     LibraryOptions options;
     options.access = access;
+    options.waiting = waiting;
     return Library(file, options);
 }
 

@@ -113,6 +113,6 @@ private:
 
 /// Opens a library, the user's own where none is named, or makes it where it is to be filled, with the folder of the
 /// user's own. Throws `Error` as the library does, and io where that folder cannot be made.
-Library open_library(const std::filesystem::path& named, Access access);
+Library open_library(const std::filesystem::path& named, Access access, const storage::WaitOptions& waiting = {});
 
 }  // namespace stridor::noise_library

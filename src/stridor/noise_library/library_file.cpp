@@ -106,6 +106,7 @@ storage::DatabaseOptions database_options(const fs::path& file, const LibraryOpt
     database.ownership = storage::Ownership::shared;
     database.missing = options.access == Access::fill ? storage::MissingFile::create : storage::MissingFile::refuse;
     database.wait = options.wait;
+    database.waiting = options.waiting;
     std::error_code error;
     if (options.access == Access::read && !fs::exists(file, error))
         throw Error(ErrorKind::io,

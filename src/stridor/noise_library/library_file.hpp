@@ -23,6 +23,7 @@ enum class Access { read, fill };
 struct LibraryOptions {
     Access access = Access::read;
     std::chrono::milliseconds wait{10000};  // for another process that writes
+    storage::WaitOptions waiting{};         // meanwhile
 };
 
 /// The folder of its audio, beside the file itself and not beside a link to it. Throws `Error` (input) for a file that

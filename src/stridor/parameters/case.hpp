@@ -128,15 +128,19 @@ struct Run {
 /// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;
 /// these are Stridor's, documented with their reasons in docs/methods/verdict.md.
 struct Thresholds {
-    double start = 0.5;              // [1] constant drive: share of the run cut at its start, while that dies out
-    double settling = 0.45;          // [1] share of a going or coming phase cut at its start: the reversal's ringing
-    double reversal = 0.15;          // [1] share cut at its end, where the drive slows down and every contact sticks
-    double quiet_slip = 0.98;        // [1] slip share from which a motion is `none`
-    double creak_stick = 0.7;        // [1] stick share from which a noisy motion is `creak`
-    double least_releases = 3.0;     // [1] fewest ends of sticks that make a creak; fewer are no repetition
-    double squeal_regularity = 0.8;  // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
-    double squeal_beats = 1.0;       // [1] most unequal beats per period of a squeal; 1: all beats alike
-    double least_intervals = 6.0;    // [1] fewest repeats that can be judged; fewer are `undecided`
+    double start = 0.5;               // [1] constant drive: share of the run cut at its start, while that dies out
+    double settling = 0.45;           // [1] share of a going or coming phase cut at its start: the reversal's ringing
+    double reversal = 0.15;           // [1] share cut at its end, where the drive slows down and every contact sticks
+    double quiet_slip = 0.98;         // [1] slip share from which a motion is `none`
+    double creak_stick = 0.7;         // [1] stick share from which a noisy motion is `creak`
+    double least_releases = 3.0;      // [1] fewest ends of sticks that make a creak; fewer are no repetition
+    double squeal_regularity = 0.8;   // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
+    double squeal_beats = 1.0;        // [1] most unequal beats per period of a squeal; 1: all beats alike
+    double squeal_repetition = 0.95;  // [1] repetition from which a pattern of unequal beats is `squeal`, too, ...
+    double squeal_frequency = 20.0;   // [Hz] ... if it comes again so often
+    double least_intervals = 6.0;     // [1] fewest repeats that can be judged; fewer are `undecided`
+    double lock_force = 10.0;         // [1] multiple of its preload from which a stuck contact locks
+    double least_distance = 2.0;  // [1] errors of a figure; one that lies nearer to its threshold makes it `undecided`
 };
 
 /// Another joint on the same plate, with its own contact and its dampings as shares of critical.

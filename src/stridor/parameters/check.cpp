@@ -73,6 +73,15 @@ void check_planes(const Case& c, std::vector<Finding>& found) {
                           "its cone of friction is circular, the same every way", "Set friction = \"coulomb\"."}});
 }
 
+// a joint is a mass at a contact
+void check_formulation(const Case& c, std::vector<Finding>& found) {
+    if (c.own_structure || c.run.engine != Engine::moreau || c.run.formulation == Formulation::standard) return;
+    found.push_back({"run.formulation",
+                     {"the contact of a joint has inertia", "its mass stands there: without it another system moves",
+                      "Use \"standard\"; a structure of your own may do without."},
+                     {"run.engine"}});
+}
+
 // rows without mass move as their forces say: only a formulation without inertia knows them
 void check_massless_rows(const Case& c, std::vector<Finding>& found) {
     const std::optional<std::size_t> row = massless_row(*c.own_structure);
@@ -83,10 +92,6 @@ void check_massless_rows(const Case& c, std::vector<Finding>& found) {
                          {what, "events and impacts need inertia in each row",
                           "Set run.engine = \"moreau\" and run.formulation = \"massless\"."},
                          {"run.formulation"}});
-    if (c.own_structure->following.ratio + c.own_structure->following.loss_factor != 0.0)
-        found.push_back({"run.formulation",
-                         {what + ", and damping_ratio has no critical damping there", "",
-                          "Give the damping as a matrix, with zeros in that row."}});
     if (c.run.initial != Initial::rest)
         found.push_back({"run.initial", {what + ", and no velocity at the start", "", "Start with \"rest\"."}});
 }
@@ -292,6 +297,7 @@ std::vector<Finding> findings(const Case& c) {
     }
     check_zeros(c, found);
     if (c.own_structure) check_own_structure(c, found);
+    check_formulation(c, found);
     check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);

@@ -193,8 +193,18 @@ const std::array table{
           quantity<&Case::verdict, &Thresholds::squeal_regularity>("1", share), always},
     Field{"verdict", "squeal_beats", "", "most unequal beats per period of a squeal; 1: all beats alike",
           quantity<&Case::verdict, &Thresholds::squeal_beats>("1", Range{1.0, 12.0}), always},
+    Field{"verdict", "squeal_repetition", "",
+          "repetition from which a pattern of unequal beats is squeal, too, if it comes again squeal_frequency times",
+          quantity<&Case::verdict, &Thresholds::squeal_repetition>("1", share), always},
+    Field{"verdict", "squeal_frequency", "", "how often a pattern of unequal beats must come again to be squeal",
+          quantity<&Case::verdict, &Thresholds::squeal_frequency>("Hz", Range{0.0, 20000.0}), always},
     Field{"verdict", "least_intervals", "", "fewest repeated intervals that can be judged; fewer are undecided",
           quantity<&Case::verdict, &Thresholds::least_intervals>("1", Range{2.0, 1000.0}), always},
+    Field{"verdict", "lock_force", "", "multiple of its preload from which a stuck contact's normal force is locking",
+          quantity<&Case::verdict, &Thresholds::lock_force>("1", Range{1.0, 1e9}), always},
+    Field{"verdict", "least_distance", "",
+          "errors of a figure that it must lie from its threshold; nearer is undecided",
+          quantity<&Case::verdict, &Thresholds::least_distance>("1", Range{0.0, 1000.0}), always},
 };
 
 bool contains(const Range& range, double value) {

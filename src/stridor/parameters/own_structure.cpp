@@ -67,6 +67,7 @@ std::string content_hash(const OwnStructure& structure) {
     if (!structure.force.empty()) put(text, structure.force);
     const FollowingDamping& following = structure.following;
     put(text, {following.ratio, following.loss_factor, following.rayleigh_mass, following.rayleigh_stiffness});
+    if (structure.left_out_above > 0.0) put(text, std::optional(structure.left_out_above));
     for (const OwnContact& contact : structure.contacts) {
         put(text, contact.normal);
         put(text, contact.tangent);

@@ -80,6 +80,7 @@ struct OwnStructure {
     std::vector<double> force{};                 // [1] of a drive by force, per its newtons; shape [row] or empty
     std::vector<double> initial_displacement{};  // [m] added to the start; shape [row] or empty
     std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
+    double left_out_above = 0.0;  // [Hz] modes above it were left out, and their flexibility kept; 0: none were
     std::vector<OwnContact> contacts{};
     std::vector<OwnOutput> outputs{};
     std::vector<OutlinePoint> outline{};  // in their order along it; empty: unknown

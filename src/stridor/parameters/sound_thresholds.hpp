@@ -22,10 +22,12 @@ struct SoundThresholds {
     double rubbing_repetition = 0.5;    // [1] ... and likeness of cycles below which a sound is mere rubbing
     double least_frequency = 100.0;     // [Hz] a line below it is the rumble of rubbing and no tone
     double squeal_regularity = 0.8;     // [1] likeness of neighbouring cycles from which a tone is `squeal`
+    double squeal_repetition = 0.95;    // [1] likeness of the best cycle from which a sound of any lines is `squeal`
     double squeal_movement = 0.12;      // [1] most movement of the strongest frequency in a `squeal`
     double least_impulses = 3.0;        // [1] fewest impulses of a creak; fewer are a knock
     double creak_pause = 1.5;           // [s] longest rest between two impulses of one creak
     double least_duration = 0.05;       // [s] shortest noise that can be judged
+    double least_band = 4000.0;         // [Hz] half the rate, below which nothing but a `squeal` can be told
     double majority = 0.5;              // [1] share of the energy that the category of a whole recording must have
     double least_share = 0.2;           // [1] share of a recording's energy from which a noise names it
     double certainty = 0.35;            // [1] probability from which a recording by the ear is decided

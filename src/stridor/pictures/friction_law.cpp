@@ -63,7 +63,8 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
     const LawBranch coming =
         branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? "mu_d" : "mu_dc");
-    const double top = 1.3 * std::max({going.limit, coming.limit, going.sliding, coming.sliding, 1e-3});
+    const double most = std::max({going.limit, coming.limit, going.sliding, coming.sliding});
+    const double top = most > 0.0 ? 1.3 * most : 1.0;
     drawing::Panel panel;
     panel.grid = drawing::Grid::none;
     panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") + " (any unit)";

@@ -32,7 +32,6 @@ constexpr std::array<ContactState, model::contact_states> stacked{ContactState::
 constexpr double share_height = 26.0;       // [mm] of a row of panels of shares and forces
 constexpr double row_height = 5.0;          // [mm] of a contact's states, while that is no more than
 constexpr double most_states_height = 110;  // [mm] of all of them
-constexpr double names_width = 62.0;        // [mm] that names below the bars may take
 constexpr double bar = 0.4;                 // [1] half of a row's height
 constexpr std::size_t most_changes = 200;   // of a contact that is drawn stay by stay
 constexpr std::size_t changes_a_part = 16;  // of one that is split, at least: one more or less is hardly seen
@@ -160,8 +159,8 @@ struct States {
     bool is_split = false;  // some row is
 };
 
-States state_rows(const parameters::Case& c, const ContactLine& line, const record::Record& record, const Extent& time,
-                  double height) {
+States state_rows(const parameters::Case& c, const ContactLine& line, const record::Record& record,
+                  const Extent& time) {
     const std::size_t contacts = record.histories.size();
     States states;
     drawing::Panel& panel = states.panel;
@@ -171,12 +170,10 @@ States state_rows(const parameters::Case& c, const ContactLine& line, const reco
     panel.y.label = "contact";
     panel.y.range = {0.5, static_cast<double>(contacts) + 0.5};
     StateBoxes boxes;
-    const std::size_t every = named_every(contacts, 3.5, height);
     for (std::size_t place = 0; place < contacts; ++place) {
         const std::size_t k = line.order[place];
         const double row = static_cast<double>(contacts - place);
-        if (place % every == 0)
-            panel.y.ticks.push_back({row, parameters::contact_name(c, k), drawing::TickSize::major});
+        panel.y.ticks.push_back({row, parameters::contact_name(c, k), drawing::TickSize::major});
         const std::size_t changes = changes_within(record.histories[k], time);
         const bool is_dense = changes > most_changes;
         if (is_dense)
@@ -194,10 +191,7 @@ States state_rows(const parameters::Case& c, const ContactLine& line, const reco
 
 class Picture {
 public:
-    Picture(const parameters::Case& c, const record::Record& record)
-        : c_(c),
-          record_(record),
-          line_(contact_line(c, names_width)) {
+    Picture(const parameters::Case& c, const record::Record& record) : c_(c), record_(record), line_(contact_line(c)) {
         scene_.title = c.title.empty() ? drawing::StyledText("Contacts") : drawing::StyledText(c.title);
         scene_.caption = {conditions(c)};
         scene_.column_widths = {1.0, 1.0};
@@ -215,7 +209,7 @@ public:
     }
 
     void add_states(const Extent& whole, const std::optional<Extent>& stretch) {
-        States run = state_rows(c_, line_, record_, whole, height_);
+        States run = state_rows(c_, line_, record_, whole);
         bool is_split = run.is_split;
         if (stretch) {
             run.panel.layers.insert(
@@ -224,7 +218,7 @@ public:
         }
         add(std::move(run.panel), 0, "whole run");
         if (stretch) {
-            States part = state_rows(c_, line_, record_, *stretch, height_);
+            States part = state_rows(c_, line_, record_, *stretch);
             is_split = is_split || part.is_split;
             part.panel.y.label = {};
             add(std::move(part.panel), 1, fmt::format("{:g} s to {:g} s", stretch->from, stretch->to));

@@ -27,15 +27,13 @@ constexpr drawing::Colour feeding{0xBB, 0x55, 0x66};  // what adds to the growth
 constexpr drawing::Colour taking{0x00, 0x66, 0x99};   // what takes from it
 constexpr double half_bar = 0.4;                      // [1] of a contact's bar
 constexpr double least_drawn = 0.01;                  // [1] share of energy below which a free mode is left out
-constexpr std::size_t most_names = 6;                 // below a panel
 
 drawing::Panel contact_panel(const parameters::Case& c) {
     const std::size_t contacts = parameters::contact_count(c);
     drawing::Panel panel;
     panel.x.label = "contact";
     panel.x.range = {0.5, static_cast<double>(contacts) + 0.5};
-    const std::size_t every = (contacts + most_names - 1) / most_names;
-    for (std::size_t k = 0; k < contacts; k += every)
+    for (std::size_t k = 0; k < contacts; ++k)
         panel.x.ticks.push_back({static_cast<double>(k + 1), parameters::contact_name(c, k), drawing::TickSize::major});
     return panel;
 }

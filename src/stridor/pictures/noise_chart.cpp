@@ -4,9 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/drawing/layout.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/drawing/region_names.hpp"
 #include "stridor/pictures/parts/boundary_line.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/cell_kinds.hpp"
@@ -30,7 +28,7 @@ std::span<const sweep::CellVerdict> cells_of(const sweep::SweepResult& result, s
     return std::span(result.cells).subspan(direction * count, count);
 }
 
-// "Each cell was run from rest, stuck and sliding; the loudest is shown."
+// "Each cell was run from rest, stuck and sliding; the worst is shown."
 drawing::StyledText starts_caption(const sweep::Study& study) {
     std::string names;
     for (std::size_t k = 0; k < study.starts.size(); ++k) {
@@ -40,7 +38,7 @@ drawing::StyledText starts_caption(const sweep::Study& study) {
                             : ", ") +
                  std::string(sweep::start_names()[static_cast<std::size_t>(study.starts[k])]);
     }
-    return drawing::StyledText("Each cell was run from " + names + "; the loudest is shown.");
+    return drawing::StyledText("Each cell was run from " + names + "; the worst is shown.");
 }
 
 drawing::Scene empty_chart(const sweep::SweepResult& result, const drawing::StyledText& title) {
@@ -108,14 +106,13 @@ bool is_torn(const sweep::CellVerdict& cell) {
     return cell.agreement == sweep::Agreement::quiet_unless_disturbed;
 }
 
-// a disc on each cell that is quiet from one start and noisy from another; small enough for the cells to be told apart
-drawing::Points torn_points(const sweep::SweepResult& result, std::size_t direction, const drawing::Rectangle& area) {
-    constexpr double largest = 2.0;  // [pt] in charts of few cells
-    constexpr double points_per_mm = 72.0 / 25.4;
+// a disc on each cell that is quiet from one start and noisy from another
+drawing::Points torn_points(const sweep::SweepResult& result, std::size_t direction) {
     const sweep::Study& study = result.study;
-    const double cell_size =
-        std::min(drawing::width_of(area) / study.x.points, drawing::height_of(area) / study.y.points);
-    drawing::Points points{{}, {}, drawing::ink, std::min(largest, 0.35 * cell_size * points_per_mm), drawing::white};
+    drawing::Points points{{}, {}, drawing::ink, 2.0, drawing::white};
+    // small enough for the cells to be told apart
+    points.columns = static_cast<std::size_t>(study.x.points);
+    points.rows = static_cast<std::size_t>(study.y.points);
     for (std::size_t index = 0; index < result.cells.size(); ++index) {
         const sweep::CellPlace place = sweep::place_of(study, index);
         if (place.direction != direction || !is_torn(result.cells[index])) continue;
@@ -142,15 +139,6 @@ drawing::Scene noise_chart(const sweep::SweepResult& result) {
     const std::string& title = result.study.base.title;
     drawing::Scene scene =
         empty_chart(chart, title.empty() ? drawing::StyledText("Noise chart") : drawing::StyledText(title));
-    const std::vector<drawing::Fill> fills = kind_fills();
-    const std::vector<drawing::StyledText> names = kind_names();
-    std::vector<drawing::CategoryCells> maps;
-    for (std::size_t d = 0; d < scene.panels.size(); ++d) {
-        drawing::CategoryCells map{cell_edges(chart.study.x), cell_edges(chart.study.y), {}, fills};
-        for (const sweep::CellVerdict& cell : cells_of(chart, d))
-            map.kinds.push_back(static_cast<std::uint16_t>(kind_of(cell)));
-        maps.push_back(std::move(map));
-    }
     add_kind_legend(scene, result);
     if (std::any_of(result.cells.begin(), result.cells.end(), is_torn))
         scene.legend.push_back({"quiet unless disturbed", drawing::Points{{}, {}, drawing::ink, 2.0, drawing::white}});
@@ -159,19 +147,16 @@ drawing::Scene noise_chart(const sweep::SweepResult& result) {
     for (drawing::StyledText& text : shown.caption())
         scene.caption.push_back(std::move(text));
     const std::vector<sweep::Boundary> boundaries = sweep::boundaries(chart);
-    // names and marks need to know how large their regions and cells become on paper
-    const drawing::Layout layout = drawing::arrange(scene);
-    for (std::size_t d = 0; d < maps.size(); ++d) {
-        drawing::Panel& panel = scene.panels[d];
-        std::vector<drawing::Note> notes =
-            drawing::region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
-        drawing::Line line = boundary_line(chart.study, boundaries, d);
-        panel.layers.emplace_back(std::move(maps[d]));
-        if (!line.x.empty()) panel.layers.emplace_back(std::move(line));
-        if (drawing::Points torn = torn_points(chart, d, layout.panels[d].area); !torn.x.empty())
-            panel.layers.emplace_back(std::move(torn));
-        for (drawing::Note& note : notes)
-            panel.layers.emplace_back(std::move(note));
+    for (std::size_t d = 0; d < scene.panels.size(); ++d) {
+        drawing::CategoryCells map{cell_edges(chart.study.x), cell_edges(chart.study.y), {}, kind_fills()};
+        for (const sweep::CellVerdict& cell : cells_of(chart, d))
+            map.kinds.push_back(static_cast<std::uint16_t>(kind_of(cell)));
+        std::vector<drawing::Layer>& layers = scene.panels[d].layers;
+        layers.emplace_back(std::move(map));
+        if (drawing::Line line = boundary_line(chart.study, boundaries, d); !line.x.empty())
+            layers.emplace_back(std::move(line));
+        if (drawing::Points torn = torn_points(chart, d); !torn.x.empty()) layers.emplace_back(std::move(torn));
+        layers.emplace_back(drawing::RegionNames{kind_names()});
     }
     return scene;
 }

@@ -1,6 +1,5 @@
 #include "stridor/pictures/side_by_side.hpp"
 
-#include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
@@ -28,19 +27,6 @@ constexpr std::array<double, rows> heights{22.0, 40.0, 4.5, 22.0, 15.0, 38.0};
 constexpr double column_width = 52.0;  // [mm] with what parts it from the next
 constexpr std::array<std::string_view, 7> told{"frequency",  "tonality", "regularity",      "movement",
                                                "abruptness", "kurtosis", "impulse_interval"};
-
-// the text that fits, with dots where it was cut
-drawing::StyledText fitted(const std::string& text, double size, double width) {
-    if (drawing::text_width(drawing::StyledText(text), size) <= width) return text;
-    std::string cut = text;
-    while (!cut.empty() && drawing::text_width(drawing::StyledText(cut + "..."), size) > width) {
-        // a whole letter, however many bytes it has
-        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U)
-            cut.pop_back();
-        if (!cut.empty()) cut.pop_back();
-    }
-    return cut + "...";
-}
 
 drawing::Panel panel_at(std::size_t row, std::size_t column) {
     drawing::Panel panel;
@@ -95,7 +81,7 @@ drawing::Panel waveform_panel(const ComparedSound& sound, std::size_t column) {
     drawing::Panel panel = panel_at(waveform, column);
     set_amplitude_axis(panel);
     panel.x.range = {0.0, sound.analysis.duration};
-    panel.title = fitted(fmt::format("{}) {}", static_cast<char>('a' + column), sound.label), 8.0, column_width - 8.0);
+    panel.title = fmt::format("{}) {}", static_cast<char>('a' + column), sound.label);
     panel.layers.emplace_back(drawing::Boxes{{{detail_range(sound), panel.y.range}},
                                              {drawing::highlight, drawing::Texture::none, drawing::ink}});
     panel.layers.emplace_back(scaled(waveform_line(sound.analysis)));

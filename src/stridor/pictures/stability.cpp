@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stridor::pictures {
@@ -68,10 +69,10 @@ std::vector<drawing::Extent> unstable_stretches(const analysis::StabilityPath& p
     return stretches;
 }
 
-drawing::Extent extent(std::span<const StabilityCurve> curves, double Eigenmode::*member) {
+drawing::Extent extent(const analysis::StabilityScan& scan, double Eigenmode::*member) {
     drawing::Extent range{0.0, 0.0};
-    for (const StabilityCurve& curve : curves)
-        for (const analysis::StabilityPoint& point : curve.path.points)
+    for (const analysis::DirectionScan& direction : scan.directions)
+        for (const analysis::StabilityPoint& point : direction.path.points)
             for (const Eigenmode& mode : point.stability.modes)
                 range = {std::min(range.from, mode.*member), std::max(range.to, mode.*member)};
     const double air = range.to > range.from ? 0.08 * (range.to - range.from) : 1.0;
@@ -81,17 +82,17 @@ drawing::Extent extent(std::span<const StabilityCurve> curves, double Eigenmode:
 constexpr drawing::Colour mode_colours[] = {
     {0x00, 0x66, 0x99}, {0xC4, 0x6A, 0x00}, {0x5A, 0x5A, 0x5A}, {0x7B, 0x3F, 0x8C}};
 
-drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member, const drawing::Extent& y) {
+drawing::Panel mode_panel(const analysis::StabilityPath& path, double Eigenmode::*member, const drawing::Extent& y) {
     drawing::Panel panel;
     panel.grid = drawing::Grid::both;
     panel.y.range = y;
-    for (const drawing::Extent& stretch : unstable_stretches(curve.path))
+    for (const drawing::Extent& stretch : unstable_stretches(path))
         panel.layers.emplace_back(
             drawing::Boxes{{{stretch, y}}, {drawing::tint({0xBB, 0x55, 0x66}, 0.14), drawing::Texture::none, {}}});
     if (y.from < 0.0)
         panel.layers.emplace_back(
             drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::quiet_ink, 0.5, drawing::Dash::solid}});
-    const std::vector<ModeBranch> branches = branches_of(curve.path);
+    const std::vector<ModeBranch> branches = branches_of(path);
     for (std::size_t b = 0; b < branches.size(); ++b) {
         drawing::Line line{branches[b].x,
                            {},
@@ -104,51 +105,58 @@ drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member
     return panel;
 }
 
-// lines through all panels of a column, named in one of them
-void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path, const drawing::StyledText& name) {
-    for (const analysis::StabilityBoundary& boundary : path.boundaries) {
+void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path) {
+    for (const analysis::StabilityBoundary& boundary : path.boundaries)
         panel.layers.emplace_back(
             drawing::Rule{boundary.value, drawing::Orientation::vertical, {drawing::ink, 0.6, drawing::Dash::dashed}});
-        if (drawing::is_empty(name)) continue;
-        const double length = panel.x.range.to - panel.x.range.from;
-        const bool is_right = boundary.value > panel.x.range.from + 0.5 * length;
-        panel.layers.emplace_back(drawing::Note{
-            name + fmt::format(" = {:.3f}", boundary.value), boundary.value + (is_right ? -0.02 : 0.02) * length,
-            panel.y.range.from + 0.06 * (panel.y.range.to - panel.y.range.from), drawing::Anchor::data,
-            is_right ? drawing::Align::right : drawing::Align::left, drawing::ink, 0.0, std::nullopt});
+}
+
+// "going: α = 61.9°, 87.13°": beside their lines they would stand on the curves
+drawing::StyledText direction_title(const analysis::DirectionScan& scan, const drawing::StyledText& name,
+                                    const std::string& unit) {
+    drawing::StyledText title(parameters::direction_names[static_cast<std::size_t>(scan.direction)]);
+    for (const analysis::StabilityBoundary& boundary : scan.path.boundaries) {
+        const double rounded = std::stod(fmt::format("{:.4g}", boundary.value));
+        const bool is_first = &boundary == &scan.path.boundaries.front();
+        title = title + (is_first ? ": " + name + " = " : drawing::StyledText(", ")) +
+                with_unit(drawing::number_text(rounded), unit);
     }
+    return title;
 }
 
 }  // namespace
 
-drawing::Scene stability(std::string_view quantity, std::span<const StabilityCurve> curves) {
-    const parameters::Field* field = parameters::field_of(quantity);
+drawing::Scene stability(const analysis::StabilityScan& scan) {
+    const parameters::Field* field = parameters::field_of(scan.key);
     STRIDOR_EXPECT(field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind));
     const drawing::StyledText name = field->symbol.empty() ? field_label(*field) : drawing::symbol(field->symbol);
+    const std::string& title = scan.base.title;
     drawing::Scene scene;
-    scene.title = "Stability of steady sliding";
-    scene.caption = {drawing::StyledText("Lines: the modes of the sliding contact. Tinted: sliding is unstable.")};
+    scene.title = "Stability of steady sliding" + (title.empty() ? "" : ": " + title);
+    scene.caption = {
+        conditions(scan.base, std::array<std::string_view, 1>{scan.key}),
+        "Lines: the modes of the sliding contact. Tinted: sliding is unstable; dashed: where that changes."};
     scene.height = 105.0;
-    scene.column_widths.assign(std::max<std::size_t>(1, curves.size()), 1.0);
+    scene.column_widths.assign(std::max<std::size_t>(1, scan.directions.size()), 1.0);
     scene.row_heights = {1.0, 1.0};
-    for (std::size_t c = 0; c < curves.size(); ++c)
+    for (std::size_t c = 0; c < scan.directions.size(); ++c)
         for (std::size_t row = 0; row < 2; ++row) {
+            const analysis::StabilityPath& path = scan.directions[c].path;
             double Eigenmode::*const member = row == 0 ? &Eigenmode::frequency : &Eigenmode::growth;
-            drawing::Panel panel = mode_panel(curves[c], member, extent(curves, member));
+            drawing::Panel panel = mode_panel(path, member, extent(scan, member));
             panel.row = row;
             panel.column = c;
             panel.x.label = field_label(*field);
             panel.x.unit = parameters::unit_of(*field);
-            if (!curves[c].path.points.empty())
-                panel.x.range = {curves[c].path.points.front().value, curves[c].path.points.back().value};
+            if (!path.points.empty()) panel.x.range = {path.points.front().value, path.points.back().value};
             panel.y.label = row == 0 ? "frequency" : "growth rate";
             panel.y.unit = row == 0 ? "Hz" : "1/s";
             if (row == 0) {
                 panel.x.text = drawing::AxisText::hidden;
-                panel.title = lettered(c, parameters::direction_names[static_cast<std::size_t>(curves[c].direction)]);
+                panel.title = lettered(c, direction_title(scan.directions[c], name, panel.x.unit));
             }
             if (c > 0) panel.y.text = drawing::AxisText::hidden;
-            mark_boundaries(panel, curves[c].path, row == 0 ? name : drawing::StyledText());
+            mark_boundaries(panel, path);
             scene.panels.push_back(std::move(panel));
         }
     return scene;

@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -55,6 +56,44 @@ Tally* Recorder::tally_of(Phase phase) {
     return found == record_.phases.end() ? nullptr : &*found;
 }
 
+// the judged stretch that a span belongs to: with what closes it, and what it closes
+Span Recorder::stretch_of(std::size_t span) const {
+    const std::vector<Span>& spans = schedule_.spans;
+    Span stretch = spans[span];
+    if (stretch.use == Use::closing && span > 0 && spans[span - 1].use == Use::judged)
+        stretch.from = spans[span - 1].from;
+    if (stretch.use == Use::judged && is_closed_by_next(span)) stretch.to = spans[span + 1].to;
+    return stretch;
+}
+
+bool Recorder::is_closed_by_next(std::size_t span) const {
+    return span + 1 < schedule_.spans.size() && schedule_.spans[span + 1].use == Use::closing;
+}
+
+// shares out judged time among the parts of its stretch
+void Recorder::count_judged(std::size_t contact, double from, double to) {
+    Place& place = places_[contact];
+    const std::size_t state = model::index_of(place.current.state);
+    const Span stretch = stretch_of(place.span);
+    const double length = (stretch.to - stretch.from) / static_cast<double>(stretch_parts);
+    auto part = static_cast<std::size_t>(std::max(0.0, (from - stretch.from) / length));
+    for (; part + 1 < stretch_parts && from < to; ++part) {
+        const double end = std::clamp(stretch.from + static_cast<double>(part + 1) * length, from, to);
+        place.stretch[part][state] += end - from;
+        from = end;
+    }
+    place.stretch[stretch_parts - 1][state] += to - from;
+}
+
+// the next judged span is another stretch of time: no interval reaches across
+void Recorder::end_stretch(std::size_t contact, ContactTally& tally) {
+    for (Instants& instants : tally.changes)
+        if (!instants.times.empty()) append(instants, parting);
+    if (tally.stretches.size() == kept_stretches) tally.stretches.erase(tally.stretches.begin());
+    tally.stretches.push_back(std::exchange(places_[contact].stretch, {}));
+    ++tally.judged_stretches;
+}
+
 // shares out the time of a contact from where it was counted to, until `to`, among the spans it crosses
 void Recorder::count(std::size_t contact, double to) {
     Place& place = places_[contact];
@@ -62,20 +101,18 @@ void Recorder::count(std::size_t contact, double to) {
     while (place.span < schedule_.spans.size() && place.counted_to < to) {
         const Span& span = schedule_.spans[place.span];
         const double end = std::min(span.to, to);
-        const double length = std::max(0.0, end - std::max(span.from, place.counted_to));
+        const double begin = std::max(span.from, place.counted_to);
+        const double length = std::max(0.0, end - begin);
         Tally* phase = span.use == Use::unused ? nullptr : tally_of(span.phase);
         ContactTally* tally = phase == nullptr ? nullptr : &phase->contacts[contact];
         if (tally != nullptr) tally->time[state] += length;
-        if (tally != nullptr && is_judged(span.use)) tally->judged_time[state] += length;
+        if (tally != nullptr && is_judged(span.use)) {
+            tally->judged_time[state] += length;
+            if (length > 0.0) count_judged(contact, begin, end);
+        }
         place.counted_to = std::max(place.counted_to, end);
         if (end < span.to) break;
-        // the next judged span of this phase is another stretch of time, unless it closes this one: no interval
-        // reaches across
-        const bool goes_on =
-            place.span + 1 < schedule_.spans.size() && schedule_.spans[place.span + 1].use == Use::closing;
-        if (tally != nullptr && is_judged(span.use) && !goes_on)
-            for (Instants& instants : tally->changes)
-                if (!instants.times.empty()) append(instants, parting);
+        if (tally != nullptr && is_judged(span.use) && !is_closed_by_next(place.span)) end_stretch(contact, *tally);
         ++place.span;
     }
 }
@@ -130,10 +167,8 @@ void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibrat
 void Recorder::load(std::size_t span, std::span<const Load> loads) {
     if (span >= schedule_.spans.size() || !is_judged(schedule_.spans[span].use)) return;
     Tally& tally = *tally_of(schedule_.spans[span].phase);
-    for (std::size_t contact = 0; contact < loads.size(); ++contact) {
-        tally.contacts[contact].load.normal_impulse += loads[contact].normal_impulse;
-        tally.contacts[contact].load.friction_loss += loads[contact].friction_loss;
-    }
+    for (std::size_t contact = 0; contact < loads.size(); ++contact)
+        tally.contacts[contact].load += loads[contact];
 }
 
 void Recorder::sample(const Sample& sample) {
@@ -153,7 +188,9 @@ Record Recorder::finish(double time, const std::vector<Outlook>& outlooks) {
     for (std::size_t contact = 0; contact < places_.size(); ++contact) {
         Place& place = places_[contact];
         if (place.has_state) {
-            count(contact, time);
+            // steps add up to the run's end but for rounding
+            const double end = end_of(schedule_);
+            count(contact, std::abs(end - time) <= 1e-9 * end ? end : time);
             keep_current(contact, time);
         }
         place.has_state = false;

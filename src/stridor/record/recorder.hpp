@@ -33,7 +33,7 @@ struct Record {
 /// Takes what an engine tells it and keeps what was asked for.
 ///
 /// The engine says `enter` at each change of state of a contact, `vibrate` for each stretch between two span
-/// boundaries, `load` likewise where there are several contacts, `sample` for each sample of a trace and `finish` once.
+/// boundaries, `load` likewise, `sample` for each sample of a trace and `finish` once.
 /// The times of a contact never decrease.
 class Recorder {
 public:
@@ -54,9 +54,12 @@ public:
     /// Adds the vibration of a stretch of time that lies within span number `span`; shape [channel].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
 
-    /// Adds what the contacts carried in a stretch of time that lies within span number `span`; shape [contact]. Only
-    /// of structures with several contacts.
+    /// Adds what the contacts carried in a stretch of time that lies within span number `span`; shape [contact]. Of
+    /// structures with one contact only the largest normal force.
     void load(std::size_t span, std::span<const Load> loads);
+
+    /// When the contact entered its present state [s].
+    double since(std::size_t contact) const { return places_[contact].current.from; }
 
     /// Takes a sample of the trace.
     void sample(const Sample& sample);
@@ -73,10 +76,15 @@ private:
         bool has_state = false;
         std::size_t span = 0;     // the span that holds `counted_to`
         double counted_to = 0.0;  // [s] time already counted
+        StretchTimes stretch{};   // of the judged stretch that holds `counted_to`
     };
 
     void keep_current(std::size_t contact, double to);
     void count(std::size_t contact, double to);
+    Span stretch_of(std::size_t span) const;
+    bool is_closed_by_next(std::size_t span) const;
+    void count_judged(std::size_t contact, double from, double to);
+    void end_stretch(std::size_t contact, ContactTally& tally);
     void note_change(std::size_t contact, model::ContactState to, double time);
     Tally* tally_of(Phase phase);
     void hand_over();

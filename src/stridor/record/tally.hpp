@@ -29,6 +29,9 @@ struct Instants {
     long count = 0;                            // [1]
 };
 
+/// The latest instants of every kind of change, by its number.
+using Changes = std::array<Instants, change_kinds>;
+
 /// Vibration of one degree of freedom, or of one direction of a contact's point, over the judged time.
 struct Vibration {
     double square_time = 0.0;  // [m^2/s] integral of v^2
@@ -46,11 +49,26 @@ enum class Future {
 
 inline constexpr std::array<std::string_view, 5> future_names{"unknown", "slides", "sticks", "releases", "repeats"};
 
+/// How the normal force of a stuck contact follows the way it is dragged: what the drive makes of it, without
+/// vibration.
+struct Drag {
+    double from = std::numeric_limits<double>::quiet_NaN();   // [N] N where the stick began; sinusoidal: the least
+    double to = std::numeric_limits<double>::quiet_NaN();     // [N] N at the end of the run; sinusoidal: the largest
+    double way = std::numeric_limits<double>::quiet_NaN();    // [m] in between; sinusoidal: the stroke
+    double slope = std::numeric_limits<double>::quiet_NaN();  // [N/m] how it goes on; sinusoidal: it does not
+};
+
 /// What an engine knows of the time after its run.
 struct Outlook {
     Future future = Future::unknown;
     double from = std::numeric_limits<double>::quiet_NaN();     // [s] Future::slides: since when; else unknown
     double release = std::numeric_limits<double>::quiet_NaN();  // [s] Future::releases: about when; else unknown
+    Drag drag{};                                                // of a contact that sticks; NaN where unknown
+    // [1/s] of a small disturbance, where it slides and that grows; 0: nothing presses where it would slide to; else
+    // unknown, or stable
+    double growth = std::numeric_limits<double>::quiet_NaN();
+    double grown = std::numeric_limits<double>::quiet_NaN();   // [s] about when that ends the sliding
+    double period = std::numeric_limits<double>::quiet_NaN();  // [s] Future::repeats: of the cycle; else unknown
 };
 
 /// How a run ends for a contact, and how it would go on.
@@ -60,11 +78,19 @@ struct Ending {
     Outlook outlook;
 };
 
-/// What a contact carried over some time.
+/// What a contact carried over some time, impacts included.
 struct Load {
-    double normal_impulse = 0.0;  // [N*s] integral of N
+    double normal_impulse = 0.0;  // [N*s] integral of N, and the impulses of impacts
     double friction_loss = 0.0;   // [J] turned into heat: integral of |T w|
+    double largest_force = 0.0;   // [N] largest N where a contact changes its state and at ends of spans, no impacts
 };
+
+constexpr Load& operator+=(Load& sum, const Load& more) {
+    sum.normal_impulse += more.normal_impulse;
+    sum.friction_loss += more.friction_loss;
+    sum.largest_force = sum.largest_force > more.largest_force ? sum.largest_force : more.largest_force;
+    return sum;
+}
 
 /// What the closed contacts of a structure do together. Open ones do not count as long as one is closed.
 enum class InterfaceState { sticks, partly, slides, open };  // all stick; some do; none does; none is closed
@@ -78,21 +104,35 @@ struct InterfaceTally {
     std::vector<double> free_together{};                            // [s] two of them not stuck, shape [its][its]
 };
 
-/// Times of a contact in each state over a phase [s], as `ContactTally`, of the same run at twice the time step.
-struct CoarserTimes {
-    std::array<double, model::contact_states> time{};
-    std::array<double, model::contact_states> judged_time{};
+/// What a phase leaves behind of one contact, as `ContactTally`, of the same run at twice the time step.
+struct CoarserTally {
+    std::array<double, model::contact_states> time{};         // [s]
+    std::array<double, model::contact_states> judged_time{};  // [s]
+    Changes changes;
 };
 
-/// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most), whatever the simulated time.
+/// Into so many equal parts a stretch of judged time is cut, so that they may be held against each other.
+inline constexpr std::size_t stretch_parts = 8;
+
+/// Times of a contact in each state, for each part of one judged stretch [s]: of a phase without its ends.
+using StretchTimes = std::array<std::array<double, model::contact_states>, stretch_parts>;
+
+/// So many of the latest stretches are kept.
+inline constexpr std::size_t kept_stretches = 8;
+
+/// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most, 2.4 MB of two steps),
+/// whatever the simulated time.
 struct ContactTally {
     std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
     std::array<double, model::contact_states> judged_time{};  // [s] in each state, judged part
-    std::array<Instants, change_kinds> changes;               // judged part, by kind
+    Changes changes;                                          // judged part, by kind
     long releases = 0;                                        // [1] sticks that ended, whole phase
-    Load load;                                                // judged part, of structures with several contacts
+    Load load;                                                // judged part; of one contact alone only the largest N
+    double preload = 0.0;                                     // [N] N at rest; 0: not known, or open there
     Ending ending;                                            // of the run: the same for all its phases
-    std::optional<CoarserTimes> coarser{};                    // of an engine that compares two steps
+    std::optional<CoarserTally> coarser{};                    // of an engine that compares two steps
+    std::vector<StretchTimes> stretches{};                    // the latest complete ones, in time
+    long judged_stretches = 0;                                // [1] complete ones, kept or not
 };
 
 /// What one phase of a run leaves behind.

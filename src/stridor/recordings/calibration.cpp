@@ -6,6 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -37,11 +38,104 @@ constexpr std::array si_units{std::pair{"Pa", base::Dimension{1, -1, -2}},
                               std::pair{"deg", base::Dimension{0, 0, 0, 1}},
                               std::pair{"1", base::Dimension{}}};
 
-std::string spelt(std::string_view label) {
-    std::string text(base::trimmed(label));
-    for (std::size_t stars = text.find("**"); stars != std::string::npos; stars = text.find("**"))
-        text.replace(stars, 2, "^");
-    return text;
+/// How people and front ends write a unit, and how we do.
+struct UnitSpelling {
+    std::string_view word;  // in small letters, unless it is a letter alone
+    std::string_view symbol;
+};
+
+constexpr std::array unit_spellings{
+    UnitSpelling{"sec", "s"},          UnitSpelling{"secs", "s"},          UnitSpelling{"second", "s"},
+    UnitSpelling{"seconds", "s"},      UnitSpelling{"sekunde", "s"},       UnitSpelling{"sekunden", "s"},
+    UnitSpelling{"msec", "ms"},        UnitSpelling{"msecs", "ms"},        UnitSpelling{"millisec", "ms"},
+    UnitSpelling{"millisecs", "ms"},   UnitSpelling{"millisecond", "ms"},  UnitSpelling{"milliseconds", "ms"},
+    UnitSpelling{"millis", "ms"},      UnitSpelling{"usec", "us"},         UnitSpelling{"usecs", "us"},
+    UnitSpelling{"microsec", "us"},    UnitSpelling{"microsecond", "us"},  UnitSpelling{"microseconds", "us"},
+    UnitSpelling{"micros", "us"},      UnitSpelling{"nsec", "ns"},         UnitSpelling{"nsecs", "ns"},
+    UnitSpelling{"nanosecond", "ns"},  UnitSpelling{"nanoseconds", "ns"},  UnitSpelling{"minute", "min"},
+    UnitSpelling{"minutes", "min"},    UnitSpelling{"mins", "min"},        UnitSpelling{"hour", "h"},
+    UnitSpelling{"hours", "h"},        UnitSpelling{"hrs", "h"},           UnitSpelling{"newton", "N"},
+    UnitSpelling{"newtons", "N"},      UnitSpelling{"kilonewton", "kN"},   UnitSpelling{"kilonewtons", "kN"},
+    UnitSpelling{"volt", "V"},         UnitSpelling{"volts", "V"},         UnitSpelling{"millivolt", "mV"},
+    UnitSpelling{"millivolts", "mV"},  UnitSpelling{"pascal", "Pa"},       UnitSpelling{"pascals", "Pa"},
+    UnitSpelling{"ampere", "A"},       UnitSpelling{"amperes", "A"},       UnitSpelling{"amp", "A"},
+    UnitSpelling{"amps", "A"},         UnitSpelling{"meter", "m"},         UnitSpelling{"meters", "m"},
+    UnitSpelling{"metre", "m"},        UnitSpelling{"metres", "m"},        UnitSpelling{"millimeter", "mm"},
+    UnitSpelling{"millimeters", "mm"}, UnitSpelling{"millimetre", "mm"},   UnitSpelling{"millimetres", "mm"},
+    UnitSpelling{"micron", "um"},      UnitSpelling{"microns", "um"},      UnitSpelling{"hertz", "Hz"},
+    UnitSpelling{"degree", "deg"},     UnitSpelling{"degrees", "deg"},     UnitSpelling{"celsius", "degC"},
+    UnitSpelling{"degc", "degC"},      UnitSpelling{"C", "degC"},          UnitSpelling{"percent", "%"},
+    UnitSpelling{"inch", "in"},        UnitSpelling{"inches", "in"},       UnitSpelling{"feet", "ft"},
+    UnitSpelling{"lbs", "lbf"},        UnitSpelling{"pound-force", "lbf"}, UnitSpelling{"kp", "kgf"},
+    UnitSpelling{"G", "gn"},           UnitSpelling{"gs", "gn"},           UnitSpelling{"g's", "gn"},
+    UnitSpelling{"gee", "gn"},         UnitSpelling{"g_n", "gn"},          UnitSpelling{"unitless", "-"},
+    UnitSpelling{"none", "-"},
+};
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+// the signs of Latin-1, in which many front ends write, are single bytes
+std::string in_our_letters(std::string_view text) {
+    std::string result;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto byte = static_cast<unsigned char>(text[k]);
+        const auto before = static_cast<unsigned char>(k > 0 ? text[k - 1] : ' ');
+        const bool is_alone = byte < 0x80U || before < 0x80U;
+        if (is_alone && byte == 0xB5U)
+            result += 'u';
+        else if (is_alone && (byte == 0xB2U || byte == 0xB3U))
+            result += byte == 0xB2U ? "^2" : "^3";
+        else if (is_alone && byte == 0xB0U)
+            result += "\xC2\xB0";
+        else
+            result += text[k];
+    }
+    replace_all(result, "\xC2\xB5", "u");  // the micro sign, and the Greek letter
+    replace_all(result, "\xCE\xBC", "u");
+    replace_all(result, "\xC2\xB2", "^2");
+    replace_all(result, "\xC2\xB7", "*");
+    replace_all(result, "**", "^");
+    return result;
+}
+
+std::string_view symbol_of(std::string_view word) {
+    const std::string small = word.size() > 1 ? csv_table::lower(word) : std::string(word);
+    const auto* const found = std::find_if(unit_spellings.begin(), unit_spellings.end(),
+                                           [&](const UnitSpelling& spelling) { return spelling.word == small; });
+    return found == unit_spellings.end() ? word : found->symbol;
+}
+
+// word by word: "m/sec2" is m/s^2, "N.m" is N*m, "m.s-2" is m*s^-2
+std::string respelt(std::string_view text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("/*.^ 0123456789+-", at), text.size());
+        if (end > at) {
+            result += symbol_of(text.substr(at, end - at));
+            const std::size_t digit = end < text.size() && text[end] == '-' ? end + 1 : end;
+            if (digit < text.size() && text[digit] >= '0' && text[digit] <= '9') result += '^';
+            at = end;
+        } else {
+            result += text[at] == '.' ? '*' : text[at];
+            ++at;
+        }
+    }
+    return result;
+}
+
+// "(m/s^2)" and "[m/s^2]" are m/s^2
+std::string_view without_brackets(std::string_view text) {
+    text = base::trimmed(text);
+    const bool is_enclosed = (text.starts_with('(') && text.ends_with(')') && text.find('(', 1) == text.npos) ||
+                             (text.starts_with('[') && text.ends_with(']'));
+    return is_enclosed && text.size() > 2 ? base::trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+bool is_gravity(std::string_view text) {
+    return text == "g" || text == "gn";
 }
 
 // digits, a sign, a point or a decimal comma; moves `text` behind them
@@ -117,15 +211,26 @@ std::optional<FullScale> by_quantity(std::string_view text, std::string_view sma
 
 }  // namespace
 
+std::string unit_as_written(std::string_view label) {
+    const std::string text = in_our_letters(without_brackets(label));
+    if (base::find_unit(text) || is_gravity(text)) return text;
+    const std::string_view whole = symbol_of(text);
+    if (whole != text) return std::string(whole);
+    const std::string again = respelt(text);
+    return base::find_unit(again) ? again : text;
+}
+
 bool is_known_unit(std::string_view label) {
-    const std::string text = spelt(label);
-    return text.empty() || text == "-" || text == signal::full_scale || base::find_unit(text).has_value();
+    const std::string text = unit_as_written(label);
+    const bool is_kept = text == "-" || text == "K" || text == signal::full_scale;  // K has its zero elsewhere
+    return text.empty() || is_kept || is_gravity(text) || base::find_unit(text).has_value();
 }
 
 FullScale unit_of_label(std::string_view label) {
-    const std::string text = spelt(label);
+    const std::string text = unit_as_written(label);
     if (text.empty() || text == "-") return {};
-    if (text == "g" || text == "gn") return {standard_gravity, "m/s^2"};
+    if (is_gravity(text)) return {standard_gravity, "m/s^2"};
+    if (text == "mg") return {1e-3 * standard_gravity, "m/s^2"};
     const std::optional<base::Unit> unit = base::find_unit(text);
     if (!unit) return {1.0, text};
     for (const auto& [name, dimension] : si_units)
@@ -144,14 +249,13 @@ FullScale parse_full_scale(std::string_view text) {
     // "2e" of "2e V" belongs to the number only if digits follow it
     while (end > 0 && (given[end - 1] == 'e' || given[end - 1] == 'E'))
         --end;
-    const std::string label = spelt(std::string_view(given).substr(end));
+    const std::string label = unit_as_written(std::string_view(given).substr(end));
     if (label.empty()) throw refuse("it has no unit");
     const bool is_plain = label == signal::full_scale;
-    if (!is_plain && label != "gn") base::parse_unit(label);  // throws with the nearest unit
+    if (!is_plain && !is_gravity(label)) base::parse_unit(label);  // throws with the nearest unit
     const FullScale one = unit_of_label(label);
     const double number = base::parse_quantity(given.substr(0, end), "1");
-    const bool is_gravity = label == "g" || label == "gn";
-    const bool is_own_unit = is_plain || is_gravity || one.unit == label;
+    const bool is_own_unit = is_plain || is_gravity(label) || label == "mg" || one.unit == label;
     const double value =
         is_own_unit ? number * one.value : base::parse_quantity(given.substr(0, end) + " " + label, one.unit);
     if (!(value > 0.0) || !std::isfinite(value)) throw refuse("it is not positive");

@@ -24,10 +24,14 @@ struct FullScale {
 /// Throws `Error` (input) without a unit, for an unknown one, and for what is not positive.
 FullScale parse_full_scale(std::string_view text);
 
-/// What a unit as labs write it is in SI: "mm/s" 0.001 m/s, "g" 9.80665 m/s^2 (a signal is no mass), "m/s**2" 1 m/s^2.
+/// What a unit as labs write it is in SI: "mm/s" 0.001 m/s, "g" 9.80665 m/s^2 (a signal is no mass), "m/sec2" 1 m/s^2,
+/// "Newtons" 1 N, "msec" 0.001 s. This is the one table of spellings, of times as of all else.
 ///
 /// Nothing and "-" are "FS", as is "FS"; a word that is no unit stays what it is, with the factor 1.
 FullScale unit_of_label(std::string_view label);
+
+/// The unit of a label in Stridor's own letters: "m/sec2" is m/s^2. What is no unit stays what it is.
+std::string unit_as_written(std::string_view label);
 
 /// Is this unit label one that Stridor can convert?
 bool is_known_unit(std::string_view label);

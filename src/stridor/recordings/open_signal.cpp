@@ -9,10 +9,13 @@
 #include "stridor/recordings/recording_files.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/sidecar.hpp"
+#include "stridor/recordings/table/csv_table.hpp"
 #include "stridor/recordings/table/signal_csv.hpp"
 #include "stridor/recordings/uff58/uff58.hpp"
 #include "stridor/signal/channel_name.hpp"
 #include "stridor/storage/atomic_file.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -46,6 +49,13 @@ constexpr std::array foreign_formats{
             "Export it as CSV from there, or with Python's npTDMS: "
             "TdmsFile(\"IN.tdms\").as_dataframe(time_index=True).to_csv(\"OUT.csv\", index_label=\"time\")"},
     Foreign{"MDF     ", "an MDF file", "Export it as CSV from the program that wrote it."},
+    Foreign{"UnFinMF ", "an MDF file", "Finalize it, then export it as CSV, with the program that wrote it."},
+    Foreign{"DIAEXTENDED", "the header of a DIAdem file", "Export it as text (ASCII) from DIAdem."},
+    Foreign{"PK\x03\x04", "a zip archive, as spreadsheets (.xlsx, .ods) are", "Save the sheet as CSV."},
+    Foreign{"\xD0\xCF\x11\xE0", "a spreadsheet of old (.xls)", "Save the sheet as CSV."},
+    Foreign{"\x1F\x8B", "a packed file", "Unpack it: gunzip FILE."},
+    Foreign{"\x93NUMPY", "an array of NumPy",
+            "Write it as CSV: numpy.savetxt(\"OUT.csv\", array, delimiter=\",\", header=\"time [s],force [N]\")"},
     Foreign{"\x89HDF\r\n\x1a\n", "an HDF5 file",
             "Write its time and samples as CSV, with the columns \"time [s]\" and \"NAME [UNIT]\"."}};
 
@@ -56,11 +66,22 @@ void refuse_foreign(std::string_view beginning, const std::string& name) {
                           std::string(foreign.way_out));
 }
 
+// Spreadsheets and DIAdem write "Unicode text" so. It is turned into UTF-8 as a whole.
+RawSignal open_utf16_table(const SignalInput& input, const OpenOptions& options) {
+    constexpr std::uint64_t largest = 1U << 28U;  // [bytes]
+    if (input.bytes->size() > largest)
+        throw refusal(input.name, "the text in UTF-16 is too long", "at most 256 MiB of it are read",
+                      "Save it as UTF-8.");
+    SignalInput table = input;
+    table.bytes = bytes_of(csv_table::utf8_of(text_at(*input.bytes, 0, largest)));
+    return open_signal_csv(table, options.rate, options.channel_name);
+}
+
 RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     const std::string beginning = text_at(*input.bytes, 0, sniffed);
     if (beginning.empty()) throw refusal(input.name, "the file is empty");
-    const bool is_utf16 = beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
-    if (is_audio(beginning) && !is_utf16) return open_audio(input);
+    if (csv_table::is_utf16(beginning)) return open_utf16_table(input, options);
+    if (is_audio(beginning)) return open_audio(input);
     if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);
     if (is_mat(beginning)) return open_mat(input, {options.rate, options.channel_name});
@@ -68,9 +89,11 @@ RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     if (is_text(beginning) && has_sound_name(input.name))
         throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",
                       "If it is a table, give it a name that ends in .csv.");
-    if (is_text(beginning) || is_utf16) return open_signal_csv(input, options.rate);
+    if (is_text(beginning)) return open_signal_csv(input, options.rate, options.channel_name);
     throw refusal(input.name, "the format of the file is not known",
-                  "it is no sound file, no table, no UFF and no MAT file", "Convert it to WAV, CSV or UFF 58 first.");
+                  "it is no sound file, no table, no UFF and no MAT file",
+                  "Convert it to WAV, CSV or UFF 58 first. If it holds bare samples of 16 bits: sox -t raw -r 48000 -e "
+                  "signed -b 16 -c 1 IN OUT.wav");
 }
 
 std::string label(const signal::Channel& channel, std::size_t index) {
@@ -90,6 +113,7 @@ public:
         for (std::size_t k = 0; k < layout.channels.size(); ++k) {
             signal::Channel& channel = layout.channels[k];
             const std::string written = channel.unit;
+            facts.units_in_file.push_back(written);
             const auto [scale, origin] = calibration(k, written);
             const bool is_known = origin != Calibration::file || is_known_unit(written);
             if (!is_known)
@@ -192,14 +216,15 @@ SignalFile::SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts 
     layout_.channels = {layout_.channels[only]};
     facts_.full_scales = {facts_.full_scales[only]};
     facts_.calibrations = {facts_.calibrations[only]};
+    facts_.units_in_file = {facts_.units_in_file[only]};
 }
 
 double SignalFile::sample(std::size_t index, std::size_t channel) const {
     const double value = block_[index] * facts_.full_scales[channel].value;
-    if (std::isfinite(value)) return value;
+    if (signal::is_sample(value)) return value;
     const std::uint64_t frame = frames_ + index / raw_.source->layout().channels.size();
-    throw refusal(facts_.name, "the sample of frame " + std::to_string(frame) + " is not a finite number",
-                  "it is " + base::shortest(block_[index]) + " in " + label(layout_.channels[channel], channel), "");
+    throw Error(ErrorKind::input, signal::sample_problem(value, layout_.channels[channel], frame + 1),
+                base::Place{facts_.name, 0, 0, ""});
 }
 
 std::size_t SignalFile::read(std::span<double> frames) {
@@ -225,7 +250,7 @@ std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOpti
     drop_made_up_names(layout);
     std::optional<Sidecar> sidecar;
     if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));
-    SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata};
+    SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata, raw.time, raw.left_out};
     if (sidecar) {
         apply_sidecar(*sidecar, layout, sidecar_path(input.name));
         facts.metadata.insert(facts.metadata.end(), sidecar->metadata.begin(), sidecar->metadata.end());
@@ -237,6 +262,11 @@ std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOpti
 }
 
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options) {
+    if (path.ends_with(".toml"))
+        throw refusal(path, "this is a case, not a recording", "a case is simulated",
+                      fmt::format("`stridor simulate {0}` judges it; `stridor listen {0} -o sound.wav` makes it a "
+                                  "recording.",
+                                  path));
     return open_signal(open_input(path), options);
 }
 

@@ -33,6 +33,9 @@ struct SignalFacts {
     std::vector<Calibration> calibrations{};  // shape [channel]
     std::vector<std::string> notes{};         // what the user should know, one sentence each
     std::vector<std::pair<std::string, std::string>> metadata{};  // what else the file and its sidecar say
+    std::string time{};                        // what was taken for the time: column 1, "t" in ms; empty: a rate
+    std::vector<std::string> left_out{};       // what is in the file and no channel, with the reason
+    std::vector<std::string> units_in_file{};  // as the file has them, shape [channel]; empty: none
 };
 
 /// The calibration that somebody gave a recording (by an option, a sidecar, its description), as text that

@@ -17,6 +17,8 @@ struct RawSignal {
     std::string format{};                      // "WAV (Microsoft), Signed 24 bit PCM"
     std::string description{};                 // free text that may hold a calibration; may be empty
     std::vector<std::string> notes{};          // what the user should know of how it was read
+    std::string time{};                        // what was taken for the time: column 1, "t" in ms; empty: a rate
+    std::vector<std::string> left_out{};       // what is in the file and no channel, with the reason
     std::vector<std::pair<std::string, std::string>> metadata{};  // what else the file says of itself
 };
 

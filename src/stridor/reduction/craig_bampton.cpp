@@ -114,6 +114,7 @@ Reduction craig_bampton(const CondensedPart& condensed, const ReductionRequest& 
     if (part.damping.rows() != 0)
         reduction.part.damping = projected(part.damping, condensed, modes).sparseView(0.0, 0.0);
     recover(reduction, condensed, modes, request.recovered);
+    expect_finite(reduction);
     return reduction;
 }
 

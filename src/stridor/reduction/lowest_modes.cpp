@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace stridor::reduction {
@@ -45,7 +47,8 @@ double largest_ratio(const SparseMatrix& stiffness, const SparseMatrix& mass) {
     return largest;
 }
 
-/// What the Lanczos process multiplies with: (K - sigma M)^-1, and nothing of the modes that are known.
+/// What the Lanczos process multiplies with: (K - sigma M)^-1, and nothing of the modes that are known. Times a power
+/// of two that makes it about one, for the library's thresholds are numbers: units change no mode.
 class InverseOperator {
 public:
     using Scalar = double;
@@ -53,21 +56,27 @@ public:
     InverseOperator(const StaticSolver& solver, const SparseMatrix& mass, const MatrixXd& known)
         : solver_(solver),
           known_(known),
-          mass_known_(mass * known) {}
+          mass_known_(mass * known) {
+        const VectorXd moved = solver(mass * VectorXd::Ones(mass.rows()));
+        const double size = moved.cwiseAbs().maxCoeff();
+        if (size > 0.0 && std::isfinite(size)) factor_ = std::ldexp(1.0, -std::ilogb(size));
+    }
 
+    double factor() const { return factor_; }  // [rad^2/s^2]
     Index rows() const { return known_.rows(); }
     Index cols() const { return known_.rows(); }
     void set_shift(double) {}  // the factors have it
     void perform_op(const double* in, double* out) const {
         VectorXd x = solver_(Eigen::Map<const VectorXd>(in, rows()));
         x -= known_ * (mass_known_.transpose() * x);
-        Eigen::Map<VectorXd>(out, rows()) = x;
+        Eigen::Map<VectorXd>(out, rows()) = factor_ * x;
     }
 
 private:
     const StaticSolver& solver_;
     const MatrixXd& known_;
     MatrixXd mass_known_;
+    double factor_ = 1.0;
 };
 
 /// Solves with M, for the highest frequency.
@@ -107,19 +116,45 @@ struct SolverAt {
     const StaticSolver& solver;
 };
 
+[[noreturn]] void refuse_buckling() {
+    throw Error(ErrorKind::input,
+                {"the stiffness is negative for some motion", "the structure would buckle by itself",
+                 "Is it a stiffness matrix, whole, and without Lagrange multipliers? Code_Aster: AFFE_CHAR_CINE."});
+}
+
+// where rigid-body modes may come out, and no lower: beside the largest K_ii/M_ii
+double below_rigid_body(const SparseMatrix& stiffness, const SparseMatrix& mass) {
+    const double ratio = largest_ratio(stiffness, mass);
+    return -shift_of_free * (ratio > 0.0 ? ratio : 1.0);
+}
+
 // zero itself where the structure is held, else a little below the rigid-body modes
 Shifted shifted(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by) {
     SparseFactor at_zero(stiffness, mass, 0.0, by);
     if (at_zero.is_whole() && at_zero.negative_pivots() == 0 && at_zero.weakest_pivot() > is_singular)
         return {0.0, std::move(at_zero)};
-    double sigma = -shift_of_free * largest_ratio(stiffness, mass);
+    double sigma = below_rigid_body(stiffness, mass);
     for (int attempt = 0; attempt < 8; ++attempt, sigma *= 10.0) {
         SparseFactor factor(stiffness, mass, sigma, by);
         if (factor.is_whole() && factor.negative_pivots() == 0) return {sigma, std::move(factor)};
     }
-    throw Error(ErrorKind::input,
-                {"the stiffness is negative for some motion", "the structure would buckle by itself",
-                 "Is it a stiffness matrix, whole, and without Lagrange multipliers? Code_Aster: AFFE_CHAR_CINE."});
+    refuse_buckling();
+}
+
+// the library's words as ours: without stiffness or mass it has no vector to begin with, or numbers without end
+template <typename Solver>
+void run_lanczos(Solver& solver, Spectra::SortRule rule, double tolerance) {
+    constexpr Index most_restarts = 300;
+    try {
+        solver.init();
+        solver.compute(rule, most_restarts, tolerance);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        give_up(std::string("Lanczos did not begin: ") + error.what());
+    } catch (const std::runtime_error& error) {
+        give_up(std::string("Lanczos broke off: ") + error.what());
+    }
 }
 
 // the modes behind 1/(omega^2 - sigma), lowest first; those without mass are left out
@@ -170,13 +205,11 @@ void find_more(Modes& modes, const SolverAt& at, const SparseMatrix& mass, Index
     const Index wanted = std::min(more, rows - 1);
     const Index basis = std::min(rows, std::max<Index>(2 * wanted + 10, 20));
     Spectra::SymGEigsShiftSolver<InverseOperator, Product, Spectra::GEigsMode::ShiftInvert> solver(
-        inverse, product, wanted, basis, at.sigma);
-    solver.init();
-    constexpr Index most_restarts = 300;
-    solver.compute(Spectra::SortRule::LargestMagn, most_restarts, lanczos_tolerance);
+        inverse, product, wanted, basis, at.sigma / inverse.factor());
+    run_lanczos(solver, Spectra::SortRule::LargestMagn, lanczos_tolerance);
     if (solver.info() != Spectra::CompInfo::Successful)
         give_up(fmt::format("Lanczos did not converge for {} modes of {} rows", wanted, rows));
-    const VectorXd squared = solver.eigenvalues();
+    const VectorXd squared = inverse.factor() * solver.eigenvalues();
     append(modes, (squared.array() - at.sigma).inverse().matrix(), solver.eigenvectors(), mass, at.sigma);
 }
 
@@ -212,6 +245,11 @@ Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index co
 
 }  // namespace
 
+void expect_no_buckling(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by) {
+    const SparseFactor factor(stiffness, mass, below_rigid_body(stiffness, mass), by, FactorUse::counting);
+    if (!factor.is_whole() || factor.negative_pivots() > 0) refuse_buckling();
+}
+
 Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, LinearSolver by) {
     const Index rows = stiffness.rows();
     if (count <= 0 || rows == 0) return {VectorXd(0), MatrixXd(rows, 0)};
@@ -246,8 +284,7 @@ double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass, 
     constexpr Index basis = 40;
     Spectra::SymGEigsSolver<Product, MassOperator, Spectra::GEigsMode::RegularInverse> solver(product, inertia, 1,
                                                                                               basis);
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestAlge, 300, residual_of_highest);
+    run_lanczos(solver, Spectra::SortRule::LargestAlge, residual_of_highest);
     if (solver.info() != Spectra::CompInfo::Successful) give_up("the highest did not converge");
     return solver.eigenvalues()[0];
 }

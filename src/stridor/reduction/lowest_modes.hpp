@@ -15,6 +15,10 @@ struct Modes {
     Eigen::MatrixXd shapes;  // of unit mass: x'Mx = 1, largest entry positive; shape [row][mode]
 };
 
+/// Refuses a stiffness that is negative for some motion, by more than 1e-8 of the largest K_ii/M_ii, as which a
+/// rigid-body motion may come out: throws `Error` (input). Rows without mass are held by stiffness.
+void expect_no_buckling(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by = LinearSolver::eigen);
+
 /// The lowest modes of a structure, as many as asked for, or as there are: rows without mass have none.
 ///
 /// Shift-invert Lanczos (Ericsson and Ruhe, 1980; Spectra) about zero, or a little below it where the structure is

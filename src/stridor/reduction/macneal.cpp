@@ -90,6 +90,7 @@ Reduction macneal(const CondensedPart& condensed, const ReductionRequest& reques
         const Eigen::RowVectorXd follows = (gives_way - shape * carried) * *rigidity;
         reduction.recovery.row(static_cast<Index>(k)) << follows, shape - follows * at_boundary;
     }
+    expect_finite(reduction);
     return reduction;
 }
 

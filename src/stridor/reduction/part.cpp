@@ -57,7 +57,9 @@ void expect_symmetric(const ElasticPart& part, const SparseMatrix& matrix, const
             while (other && other.row() < entry.row())
                 ++other;
             const double across = other && other.row() == entry.row() ? other.value() : 0.0;
-            const double scale = std::sqrt(diagonal[entry.row()] * diagonal[column]) + std::abs(entry.value());
+            // roots first: the product of two large numbers is none
+            const double scale =
+                std::sqrt(diagonal[entry.row()]) * std::sqrt(diagonal[column]) + std::abs(entry.value());
             if (std::abs(entry.value() - across) > symmetry_tolerance * scale)
                 refuse_part(fmt::format("the {} is not symmetric", name),
                             fmt::format("at {} it holds {}, across the diagonal {}", place(),
@@ -227,6 +229,15 @@ const NodeSet* find_set(const ElasticPart& part, std::string_view name) {
     return nullptr;
 }
 
+std::string set_names(const ElasticPart& part) {
+    constexpr std::size_t most_told = 30;
+    std::string names;
+    for (std::size_t k = 0; k < std::min(part.sets.size(), most_told); ++k)
+        names += (k > 0 ? ", " : "") + part.sets[k].name;
+    if (part.sets.size() > most_told) names += fmt::format(" and {} more", part.sets.size() - most_told);
+    return names;
+}
+
 std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view name) {
     const std::size_t colon = name.find(':');
     const std::string plain(name.substr(0, colon));
@@ -245,9 +256,7 @@ std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view n
         return rows;
     }
     if (!finder.has_node(plain) && !part.positions.contains(plain)) {
-        std::string sets;
-        for (const NodeSet& set : part.sets)
-            sets += (sets.empty() ? "" : ", ") + set.name;
+        const std::string sets = set_names(part);
         refuse_part(fmt::format("\"{}\" is no set, node or row of the part", plain),
                     sets.empty() ? "it has no node sets" : "its node sets are " + sets);
     }
@@ -257,9 +266,12 @@ std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view n
 
 std::vector<Eigen::Index> named_rows(const ElasticPart& part, const std::vector<std::string>& names) {
     std::vector<Eigen::Index> rows;
+    std::vector<bool> is_named(static_cast<std::size_t>(rows_of(part)));
     for (const std::string& name : names)
-        for (const Eigen::Index row : named_rows(part, std::string_view(name)))
-            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+        for (const Eigen::Index row : named_rows(part, std::string_view(name))) {
+            if (!is_named[static_cast<std::size_t>(row)]) rows.push_back(row);
+            is_named[static_cast<std::size_t>(row)] = true;
+        }
     return rows;
 }
 

@@ -79,8 +79,11 @@ const UnitSystem& unit_system(std::string_view name);
 /// energies stay right.
 ElasticPart in_si(ElasticPart part, const UnitSystem& from);
 
-/// The node set of this name, letters of any size; nothing where there is none.
+/// Finds the node set of this name, letters of any size; `nullptr` where there is none.
 const NodeSet* find_set(const ElasticPart& part, std::string_view name);
+
+/// The names of its node sets for a message: "FOOT, NALL", and how many more there are.
+std::string set_names(const ElasticPart& part);
 
 /// Rows that a user names: a set ("FOOT"), some of its components ("FOOT:13"), a node ("1000", "1000:3") or one row
 /// ("1000.3"). All components that each node has, unless some are named.

@@ -1,7 +1,12 @@
 #include "stridor/reduction/reduction.hpp"
 
+#include "stridor/base/error.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 
 namespace stridor::reduction {
 
@@ -17,12 +22,13 @@ void keep_geometry(ElasticPart& reduced, const ElasticPart& part, const std::vec
     };
     std::for_each(reduced.labels.begin(), reduced.labels.end(), keep);
     std::for_each(recovered.begin(), recovered.end(), keep);
+    std::unordered_set<std::string_view> nodes;
+    for (const RowLabel& label : reduced.labels)
+        nodes.insert(label.node);
     for (const NodeSet& set : part.sets) {
         NodeSet kept{set.name, {}};
         for (const std::string& node : set.nodes)
-            if (std::any_of(reduced.labels.begin(), reduced.labels.end(),
-                            [&](const RowLabel& label) { return label.node == node; }))
-                kept.nodes.push_back(node);
+            if (nodes.contains(node)) kept.nodes.push_back(node);
         if (!kept.nodes.empty()) reduced.sets.push_back(std::move(kept));
     }
 }
@@ -42,6 +48,19 @@ Reduction opened_reduction(const ElasticPart& part, const ReductionRequest& requ
         reduction.recovered.push_back(part.labels[static_cast<std::size_t>(row)]);
     keep_geometry(reduction.part, part, reduction.recovered);
     return reduction;
+}
+
+void expect_finite(const Reduction& reduction) {
+    const auto is_finite = [](const SparseMatrix& matrix) {
+        return std::all_of(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(),
+                           [](double number) { return std::isfinite(number); });
+    };
+    if (is_finite(reduction.part.stiffness) && is_finite(reduction.part.mass) && is_finite(reduction.part.damping) &&
+        reduction.recovery.allFinite())
+        return;
+    throw Error(ErrorKind::numerical,
+                {"the reduced part left double precision", "a mode without mass, or numbers too far apart",
+                 "Check the units of the part."});
 }
 
 }  // namespace stridor::reduction

@@ -54,6 +54,9 @@ struct Reduction {
     Eigen::MatrixXd recovery;                   // [1] u of those rows = recovery * coordinates; shape [recovered][row]
 };
 
+/// Refuses a reduction whose matrices left double precision: throws `Error` (numerical).
+void expect_finite(const Reduction& reduction);
+
 /// A reduced part of these modes with its labels, places and sets, and no matrices yet.
 Reduction opened_reduction(const ElasticPart& part, const ReductionRequest& request, const Modes& modes);
 

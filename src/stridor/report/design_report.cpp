@@ -1,28 +1,26 @@
 #include "stridor/report/design_report.hpp"
 
-#include "stridor/base/version.hpp"
+#include "stridor/base/json.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/classification/interface_rules.hpp"
-#include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"
-#include "stridor/pictures/noise_chart.hpp"
-#include "stridor/pictures/parts/category_colours.hpp"
-#include "stridor/pictures/parts/design_mark.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/stability.hpp"
 #include "stridor/pictures/time_history.hpp"
+#include "stridor/report/first_page.hpp"
 #include "stridor/report/sketch.hpp"
-#include "stridor/report/structure_sketch.hpp"
 #include "stridor/report/verdict_words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace stridor::report {
@@ -35,19 +33,15 @@ std::string number_or_dash(double value, const char* format) {
     return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("-");
 }
 
-std::string phase_name(const Verdict& verdict) {
-    return std::string(record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
-}
-
 Section verdict_section(const DesignResults& results) {
     const bool is_own = results.design.own_structure != nullptr;
-    Section section{"Verdict"};
+    Section section{"The verdict in figures"};
     section.table.columns = {"direction",  "category",   "slip",      "stick",
                              "separation", "regularity", "frequency", is_own ? "level" : "joint level"};
     for (const Verdict& verdict : results.verdicts) {
         const analysis::Evidence& e = verdict.evidence;
         section.table.rows.push_back(
-            {phase_name(verdict), std::string(classification::name(verdict.category)),
+            {phase_name(verdict), std::string(classification::word(verdict)),
              number_or_dash(100.0 * e.rates.slip, "{:.1f} %"), number_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
              number_or_dash(100.0 * e.rates.separation, "{:.1f} %"), number_or_dash(e.alternation.regularity, "{:.3f}"),
              number_or_dash(e.alternation.frequency, "{:.1f} Hz"),
@@ -56,7 +50,11 @@ Section verdict_section(const DesignResults& results) {
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
             why += (k > 0 ? "; " : "") + verdict.reasons[k];
         section.paragraphs.push_back(why + ".");
+        for (const std::string& warning : verdict.warnings)
+            section.paragraphs.push_back("Warning: " + warning + ".");
     }
+    section.paragraphs.push_back(
+        "Judged by what speaks most for noise of its runs: " + judged_words(results.standing.space) + ".");
     section.paragraphs.emplace_back("The shares in the table are of the whole window, reversals included. " +
                                     std::string(is_own ? analysis::contact_level_note : analysis::level_note));
     return section;
@@ -67,21 +65,53 @@ parameters::Contact laws_of(const parameters::Case& c, std::size_t contact) {
     return c.own_structure ? parameters::contact_of(c, contact) : parameters::alone(c, contact).contact;
 }
 
+// what was counted in each phase of the design, by the phase's name
+std::vector<std::pair<std::string, const record::Tally*>> tallies_of(const DesignResults& results) {
+    std::vector<std::pair<std::string, const record::Tally*>> all;
+    for (const DesignMotion& motion : results.motions)
+        for (const record::Phase phase : motion.phases)
+            for (const record::Tally& tally : motion.motion.record.phases)
+                if (tally.phase == phase || tally.phase == record::Phase::all)
+                    all.emplace_back(record::phase_names[static_cast<std::size_t>(phase)], &tally);
+    return all;
+}
+
+// the contacts of highest level that a table has room for, in their order
+std::vector<std::size_t> loudest(const record::Tally& phase, std::size_t contacts) {
+    constexpr std::size_t most = 16;  // [1] rows of a phase
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < contacts; ++k)
+        order.emplace_back(-analysis::evidence(phase, k).levels.joint.decibels, k);
+    std::stable_sort(order.begin(), order.end());
+    std::vector<std::size_t> shown;
+    for (std::size_t k = 0; k < std::min(most, contacts); ++k)
+        shown.push_back(order[k].second);
+    std::sort(shown.begin(), shown.end());
+    return shown;
+}
+
 // of several contacts each by itself, in each phase
 Section contacts_section(const DesignResults& results) {
     const parameters::Case& c = results.design;
     Section section{"Each contact"};
     section.table.columns = {"contact",    "direction", "category", "slip",      "stick",
                              "separation", "level",     "preload",  "mu_d, mu_s"};
-    for (const record::Tally& phase : results.motion.record.phases) {
-        const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
-        for (std::size_t k = 0; k < all.contacts.size(); ++k) {
+    for (const auto& [name, tally] : tallies_of(results)) {
+        const record::Tally& phase = *tally;
+        const classification::PhaseVerdicts all =
+            classification::classify_all(phase, c.verdict, classification::contact_names(c));
+        const std::vector<std::size_t> shown = loudest(phase, all.contacts.size());
+        if (shown.size() < all.contacts.size())
+            section.paragraphs.push_back(
+                fmt::format("Shown of {} are the {} contacts of highest level, {}; `stridor "
+                            "simulate` prints all.",
+                            all.contacts.size(), shown.size(), name));
+        for (const std::size_t k : shown) {
             const analysis::Evidence e = analysis::evidence(phase, k);
             const parameters::Contact laws = laws_of(c, k);
             section.table.rows.push_back(
-                {parameters::contact_name(c, k),
-                 std::string(record::phase_names[static_cast<std::size_t>(phase.phase)]),
-                 all.contacts[k] ? std::string(classification::name(all.contacts[k]->category)) : "unloaded",
+                {parameters::contact_name(c, k), name,
+                 all.contacts[k] ? std::string(classification::word(*all.contacts[k])) : "unloaded",
                  number_or_dash(100.0 * e.rates.slip, "{:.1f} %"), number_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
                  number_or_dash(100.0 * e.rates.separation, "{:.1f} %"),
                  number_or_dash(e.levels.joint.decibels, "{:.1f} dB"), fmt::format("{:.4g} N", laws.preload),
@@ -105,13 +135,31 @@ std::string heard_words(const DesignSound& sound) {
     return "By ear: " + std::string(classification::name(sound.heard.category)) + why + ".";
 }
 
+// where the ear says otherwise than the motion: both side by side, why both stand, and which counts
+void put_ear_beside(Section& section, const DesignResults& results) {
+    for (const DesignSound& sound : results.sounds)
+        for (const Verdict& verdict : results.verdicts) {
+            const std::string_view way = parameters::direction_names[static_cast<std::size_t>(sound.direction)];
+            if (phase_name(verdict) != way || sound.wav.empty() || sound.heard.category == verdict.category) continue;
+            section.table.rows.push_back({std::string(way),
+                                          std::string(classification::word(verdict)) + ": " + verdict.reasons.back(),
+                                          heard_words(sound)});
+        }
+    if (section.table.rows.empty()) return;
+    section.table.columns = {"direction", "by the motion: this counts", "by ear"};
+    section.paragraphs.push_back(fmt::format(
+        "Motion and ear differ here, and both stand. The motion is judged by when the contacts change between slip, "
+        "stick and separation, wherever one listens. The ear hears one point ({}) and judges its tones and jerks: a "
+        "strong jerk in each period sounds like a creak, however steady the period is. The motion's verdict counts: "
+        "headline, chart and advice rest on it. The ear's tells what a vibration sensor at that point would hear.",
+        results.heard));
+}
+
 Section sound_section(const DesignResults& results) {
     Section section{"What it sounds like"};
-    const bool has_several = parameters::contact_count(results.design) > 1 || results.design.own_structure;
-    section.paragraphs.emplace_back(
-        (has_several ? "The motion made audible: " + results.heard + ". "
-                     : std::string("The motion of the joint along the plate, made audible. ")) +
-        "Each sound is as loud as its file allows, whatever its level; the part itself radiates in its own way.");
+    section.paragraphs.push_back("The motion made audible: " + results.heard +
+                                 ". Each sound is as loud as its file allows, whatever its level; the part itself "
+                                 "radiates in its own way.");
     for (const DesignSound& sound : results.sounds) {
         const std::string label(parameters::direction_names[static_cast<std::size_t>(sound.direction)]);
         if (sound.wav.empty())
@@ -119,52 +167,48 @@ Section sound_section(const DesignResults& results) {
         else
             section.sounds.push_back({label, heard_words(sound), sound.wav});
     }
+    put_ear_beside(section, results);
     return section;
 }
 
-Section motion_section(const DesignResults& results) {
-    if (pictures::shows_many_contacts(results.design))
-        return {
-            "Motion",
-            {},
-            drawing::render(pictures::motion_scene(results.design, results.motion.record, ""), drawing::Format::svg),
-            "Shares of the contact states and mean normal forces of all contacts, and their states over time."};
-    constexpr double zoom = 0.02;  // [s]
-    pictures::TimeHistoryOptions options;
-    options.zoom = pictures::busiest_stretch(results.design, results.motion.record.histories, zoom);
-    return {
-        "Motion",
-        {},
-        drawing::render(pictures::time_history(results.design, results.motion.record, options), drawing::Format::svg),
-        "Imposed velocity, accelerations and contact states over time, and a short stretch of them beside."};
+// a picture without what stands elsewhere: its title, and in its first paragraph the case
+std::string svg_of(drawing::Scene scene) {
+    scene.title = {};
+    if (!scene.caption.empty()) scene.caption.erase(scene.caption.begin());
+    return drawing::render(scene, drawing::Format::svg);
 }
 
-Section chart_section(const sweep::SweepResult& result) {
-    drawing::Scene scene = pictures::noise_chart(result);
-    pictures::mark_design(scene, result.study);
-    return {
-        "Where it is quiet",
+// "Motion while coming"
+std::string motion_heading(const DesignResults& results, const DesignMotion& motion) {
+    if (results.motions.size() == 1) return "Motion";
+    return "Motion while " + std::string(record::phase_names[static_cast<std::size_t>(motion.phases.front())]);
+}
+
+Section motion_section(const DesignResults& results, const DesignMotion& shown) {
+    constexpr double half_a_sheet = 170.0;  // [mm]
+    const record::Record& kept = shown.motion.record;
+    const bool shows_many = pictures::shows_many_contacts(results.design);
+    pictures::TimeHistoryOptions options;
+    constexpr double zoom = 0.02;  // [s]
+    if (!shows_many) options.zoom = pictures::busiest_stretch(shown.of, kept.histories, zoom);
+    const drawing::Scene scene =
+        shows_many ? pictures::motion_scene(shown.of, kept, "") : pictures::time_history(shown.of, kept, options);
+    Section section{
+        motion_heading(results, shown),
         {},
-        drawing::render(scene, drawing::Format::svg),
-        fmt::format("Category over {} and {}, {} by {} cells in each direction, each a run of its own. {}",
-                    result.study.x.parameter, result.study.y.parameter, result.study.x.points, result.study.y.points,
-                    sweep::holds_design(result.study) ? "The diamond is the design."
-                                                      : "The design lies outside of the chart.")};
+        svg_of(scene),
+        shows_many
+            ? "Shares of the contact states and mean normal forces of all contacts, and their states over time."
+            : "Imposed velocity, accelerations and contact states over time, and a short stretch of them beside."};
+    section.fills_sheet = scene.height > half_a_sheet;
+    return section;
 }
 
 Section stability_section(const analysis::StabilityScan& scan) {
-    std::vector<pictures::StabilityCurve> curves;
-    for (const analysis::DirectionScan& direction : scan.directions)
-        curves.push_back({direction.direction, direction.path});
     return {"Stability of steady sliding",
             {},
-            drawing::render(pictures::stability(scan.key, curves), drawing::Format::svg),
+            svg_of(pictures::stability(scan)),
             "Frequencies and growth rates of the sliding modes over " + scan.key + "."};
-}
-
-std::string measured(const std::string& key, double value) {
-    const std::string_view unit = parameters::unit_of(key);
-    return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + std::string(unit));
 }
 
 std::string change_words(const advice::DesignSpace& space, const advice::DesignChange& change) {
@@ -178,157 +222,148 @@ std::string change_words(const advice::DesignSpace& space, const advice::DesignC
 
 // the parameters whose verdict changes nearest, with where it does
 HtmlTable margin_table(const advice::Advice& advice) {
-    constexpr std::size_t most_rows = 6;
+    constexpr double never = 2.0;  // [1] beyond the range
     std::vector<std::pair<double, std::size_t>> order;
-    for (const advice::ParameterMargin& margin : advice.margins)
-        if (const advice::VerdictChange* change = advice::nearest_change(advice.space, margin))
-            order.emplace_back(std::abs(change->share - advice.space.origin[margin.parameter]), margin.parameter);
+    for (const advice::ParameterMargin& margin : advice.margins) {
+        const advice::VerdictChange* change = advice::nearest_change(advice.space, margin);
+        order.emplace_back(change == nullptr ? never : std::abs(change->share - advice.space.origin[margin.parameter]),
+                           margin.parameter);
+    }
     std::sort(order.begin(), order.end());
-    HtmlTable table{{"parameter", "now", "changes below", "changes above"}, {}};
-    for (std::size_t k = 0; k < std::min(most_rows, order.size()); ++k) {
-        const advice::ParameterMargin& margin = advice.margins[order[k].second];
-        const std::string& key = advice.space.parameters[margin.parameter].key;
+    HtmlTable table{{"parameter", "now", "looked at", "changes below", "changes above"}, {}};
+    for (const auto& [far, parameter] : order) {
+        const advice::ParameterMargin& margin = advice.margins[parameter];
+        const std::string& key = advice.space.parameters[parameter].key;
         const auto words = [&](const advice::ScanSide& side) {
-            if (!side.change) return std::string("-");
+            if (!side.change) return std::string(side.last == margin.value ? "not looked at" : "no change");
             return measured(key, side.change->value) + " (" +
                    std::string(sweep::word(advice::overall(side.change->beyond))) + ")";
         };
-        table.rows.push_back({key, measured(key, margin.value), words(margin.below), words(margin.above)});
+        table.rows.push_back({key, measured(key, margin.value),
+                              fmt::format("{:.4g} to {}", margin.below.last, measured(key, margin.above.last)),
+                              words(margin.below), words(margin.above)});
     }
     return table;
 }
 
 std::vector<Section> advice_sections(const advice::Advice& advice) {
-    Section change{"What to change"};
-    const bool is_quiet = advice::is_quiet(advice.present);
-    if (is_quiet)
-        change.paragraphs.emplace_back("Nothing: the design is quiet as it stands.");
-    else if (advice.changes.empty())
-        change.paragraphs.emplace_back("No change within the usual ranges was verified to be quiet.");
-    else {
-        const advice::DesignChange& best = advice.changes[advice.recommended.value_or(0)];
-        change.paragraphs.push_back("Advised: " + change_words(advice.space, best) +
-                                    fmt::format(". This was verified to be quiet by {} runs, from every start and with "
-                                                "1 % more and less of each value.",
-                                                best.runs));
-        change.paragraphs.emplace_back(
-            "All changes that were verified, smallest first. The distance is the share of its usual range that a "
-            "quantity has to go.");
-        change.table.columns = {"distance", "change", "verified by"};
-        for (const advice::DesignChange& each : advice.changes)
-            change.table.rows.push_back({fmt::format("{:.3f}", each.distance), change_words(advice.space, each),
-                                         fmt::format("{} quiet runs", each.runs)});
-    }
     Section margins{"How far it is from another verdict"};
     margins.table = margin_table(advice);
-    margins.paragraphs.emplace_back(margins.table.rows.empty()
-                                        ? "No quantity alone changes the verdict within its usual range."
-                                        : "Each quantity alone, the nearest first. The loudest direction is named.");
-    if (advice.chance)
-        margins.paragraphs.push_back(fmt::format(
-            "Chance of noise within tolerances: {:.2f} % ({:.2f} to {:.2f} %, 95 % confidence).",
-            100.0 * advice.chance->noise.share, 100.0 * advice.chance->noise.low, 100.0 * advice.chance->noise.high));
-    return {std::move(change), std::move(margins)};
+    margins.paragraphs.emplace_back("Each quantity alone, the nearest change first. The worst direction is named. " +
+                                    advice::scan_words());
+    if (advice.changes.empty()) return {std::move(margins)};
+    Section changes{"All changes that make it quiet"};
+    changes.paragraphs.emplace_back(
+        "Smallest first. The distance is the share of its range that a quantity has to go.");
+    changes.table.columns = {"distance", "change", "verified by"};
+    for (const advice::DesignChange& each : advice.changes)
+        changes.table.rows.push_back({fmt::format("{:.3f}", each.distance), change_words(advice.space, each),
+                                      fmt::format("{} quiet runs", each.runs)});
+    return {std::move(margins), std::move(changes)};
 }
 
-Section parameter_section(const parameters::Case& c) {
-    Section section{"Parameters"};
-    section.table.columns = {"key", "symbol", "value", "meaning"};
-    for (const std::string& key : parameters::keys_of(c)) {
-        const parameters::Field& field = *parameters::field_of(key);
-        if (field.section.empty()) continue;
-        section.table.rows.push_back(
-            {key, std::string(field.symbol), parameters::value_text(c, key), std::string(field.sentence)});
+// a line of a case file, and beside it what the field is
+std::string explained(const std::string& line, const parameters::Field& field) {
+    constexpr std::size_t column = 36;  // where comments begin
+    const std::string sentence(field.sentence);
+    const std::string words = field.symbol.empty() ? sentence : sentence + " (" + std::string(field.symbol) + ")";
+    std::string text = line + std::string(line.size() < column ? column - line.size() : 1, ' ') + "# ";
+    for (const char letter : base::wrapped(words, {.columns = 74}))
+        text += letter == '\n' ? "\n" + std::string(column, ' ') + "# " : std::string(1, letter);
+    return text + "\n";
+}
+
+// a case file to be read: what each value is, and of matrices where they are from
+std::string explained_case(const parameters::Case& c, const std::string& file) {
+    const bool has_matrices = c.own_structure && !c.own_structure->recipe;
+    std::istringstream lines(file);
+    std::string text, section;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('[')) {
+            section = line.substr(line.rfind('[') + 1, line.find(']') - line.rfind('[') - 1);
+            section = section == "joint.contact" ? "contact" : section;
+        }
+        const std::size_t equals = std::min(line.find(" = "), line.size());
+        const bool is_list = equals == line.size() || line.substr(equals).starts_with(" = [");
+        const bool is_of_matrices = has_matrices && section.starts_with("structure") && line != "[structure]";
+        if (is_of_matrices && !line.empty() && (is_list || section != "structure")) continue;
+        if (is_of_matrices && line.empty() && text.ends_with("\n\n")) continue;
+        const std::string name = line.substr(0, equals);
+        const parameters::Field* field = parameters::find_field(section.empty() ? name : section + "." + name);
+        const bool is_told = field != nullptr && !(has_matrices && parameters::is_of_builder(*field));
+        text += is_told ? explained(line, *field) : line + "\n";
+        if (has_matrices && line == "[structure]")
+            text += fmt::format("# {}: {} rows, content {}\n", c.own_structure->origin, c.own_structure->row.size(),
+                                parameters::content_hash(*c.own_structure));
     }
-    return section;
+    return text;
 }
 
-// everything follows from its values; matrices of a large structure stay where they are
-Section file_section(const parameters::Case& c) {
+// each value with what it is; matrices are for programs, and stand in what is saved
+Section file_section(const DesignResults& results) {
+    const parameters::Case& c = results.design;
     constexpr std::size_t longest = 1'000'000;  // [byte]
-    Section section{"The case as a file"};
-    std::string text = io::case_toml(c, {io::Comments::none, {}});
-    if (text.size() > longest) {
-        section.paragraphs.push_back(
-            fmt::format("Its matrices are too large to stand here: {}, structure.content = {}.",
-                        c.own_structure->origin, parameters::content_hash(*c.own_structure)));
-        return section;
-    }
-    section.paragraphs.emplace_back("Everything above follows from these values.");
-    section.file = {"case.toml", std::move(text)};
-    return section;
-}
-
-std::string sketch_caption(const parameters::Case& c) {
-    if (c.own_structure)
-        return "The model: " + c.own_structure->origin +
-               ", a linear structure with its contacts, on a surface that moves under it.";
-    if (!c.further_joints.empty())
-        return "The model: joints, pressed on one plate that moves under them, held at angles by springs and dampers.";
-    return "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
-}
-
-std::string foot(const parameters::Case& c) {
-    const bool has_several = parameters::contact_count(c) > 1;
-    const std::string model =
-        c.own_structure ? "a linear structure with " + std::string(has_several ? "points" : "one point") + " of contact"
-        : has_several   ? "joints on one plate, one point of contact each"
-                        : "one joint, one plate, one point of contact";
-    return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
-           model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
-           (has_several || c.own_structure ? "" : "several contacts ") +
-           "and the radiation of sound, is not in this verdict either.";
-}
-
-std::vector<Badge> badges(const std::vector<Verdict>& verdicts) {
-    std::vector<Badge> badges;
-    for (const Verdict& verdict : verdicts) {
-        const drawing::Fill fill = pictures::category_fill(verdict.category);
-        badges.push_back({phase_name(verdict), std::string(classification::name(verdict.category)),
-                          drawing::hex(fill.colour), drawing::hex(drawing::text_colour_on(fill.colour))});
-    }
-    return badges;
-}
-
-Section origin_section(const DesignResults& results) {
-    Section section{"How to get this again"};
-    section.paragraphs.push_back(
-        fmt::format("Made by stridor {} ({}) with this command:", base::version(), base::commit()));
+    Section section{"The case"};
+    std::string saved = io::case_toml(results.design, {io::Comments::none, {}});
+    if (!results.author.empty() || !results.part.empty())
+        saved += fmt::format("\n[document]\nauthor = {}\npart = {}\n", base::Json(results.author).dump(),
+                             base::Json(results.part).dump());
     section.code = results.command;
+    section.file = {"case.toml", explained_case(results.design, saved), saved};
+    section.paragraphs.emplace_back("Everything above follows from these values, by this command:");
+    if (section.file.saved.size() > longest) {
+        section.file.saved = section.file.text;
+        section.paragraphs.emplace_back("Its matrices are too large to be saved from here.");
+    } else if (c.own_structure && !c.own_structure->recipe) {
+        section.paragraphs.emplace_back("The file that can be saved here holds its matrices, too.");
+    }
     return section;
+}
+
+Section sketch_section(const parameters::Case& c) {
+    return {"The model",
+            {},
+            sketch_svg(c),
+            "Joints, pressed on one plate that moves under them, held at angles by springs and dampers."};
+}
+
+// pictures of the motion, and of its stability
+std::vector<Section> picture_sections(const DesignResults& results) {
+    std::vector<Section> sections;
+    for (const DesignMotion& motion : results.motions) {
+        const bool is_kept = !motion.motion.record.trace.time.empty() || pictures::shows_many_contacts(results.design);
+        if (is_kept) sections.push_back(motion_section(results, motion));
+    }
+    if (results.stability && !results.stability->key.empty()) sections.push_back(stability_section(*results.stability));
+    return sections;
+}
+
+std::vector<Section> figure_sections(const DesignResults& results) {
+    std::vector<Section> sections{verdict_section(results)};
+    if (parameters::contact_count(results.design) > 1) sections.push_back(contacts_section(results));
+    if (results.advice)
+        for (Section& section : advice_sections(*results.advice))
+            sections.push_back(std::move(section));
+    return sections;
 }
 
 }  // namespace
 
 Report design_report(const DesignResults& results) {
-    Report report;
-    report.title = results.design.title.empty() ? "Rubbing contact" : results.design.title;
-    report.badges = badges(results.verdicts);
-    report.lead.push_back(summary(results.verdicts));
-    for (const Verdict& verdict : results.verdicts)
-        report.lead.push_back(plain_words(verdict));
-    report.sketch = results.design.own_structure ? structure_sketch_svg(results.design) : sketch_svg(results.design);
-    report.sketch_caption = sketch_caption(results.design);
-    report.sections.push_back(verdict_section(results));
-    if (parameters::contact_count(results.design) > 1) report.sections.push_back(contacts_section(results));
+    Report report = first_page(results);
+    std::vector<Section>& sections = report.sections;
+    if (!results.design.further_joints.empty()) sections.push_back(sketch_section(results.design));
     if (!results.sounds.empty())
-        report.sections.push_back(sound_section(results));
+        sections.push_back(sound_section(results));
     else if (!results.without_sound.empty())
-        report.sections.push_back({"What it sounds like", {results.without_sound}});
-    if (results.chart) report.sections.push_back(chart_section(*results.chart));
-    if (results.advice)
-        for (Section& section : advice_sections(*results.advice))
-            report.sections.push_back(std::move(section));
-    else if (!results.without_advice.empty())
-        report.sections.push_back({"What to change", {results.without_advice}});
-    const bool has_motion = !results.motion.record.trace.time.empty() || pictures::shows_many_contacts(results.design);
-    if (has_motion) report.sections.push_back(motion_section(results));
-    if (results.stability && !results.stability->key.empty())
-        report.sections.push_back(stability_section(*results.stability));
-    report.sections.push_back(parameter_section(results.design));
-    report.sections.push_back(file_section(results.design));
-    report.sections.push_back(origin_section(results));
-    report.foot = foot(results.design);
+        sections.push_back({"What it sounds like", {results.without_sound}});
+    // pictures as tall as a sheet stand behind what fills the sheet before
+    std::vector<std::vector<Section>> parts{picture_sections(results), figure_sections(results)};
+    if (!parts.front().empty() && parts.front().front().fills_sheet) std::swap(parts.front(), parts.back());
+    for (std::vector<Section>& part : parts)
+        for (Section& section : part)
+            sections.push_back(std::move(section));
+    sections.push_back(file_section(results));
     return report;
 }
 

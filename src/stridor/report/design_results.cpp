@@ -1,18 +1,24 @@
 #include "stridor/report/design_results.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
+#include "stridor/report/timed_parts.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <utility>
 
@@ -26,9 +32,12 @@ using parameters::Direction;
 constexpr double trace_samples = 5e4;    // [1] of the picture's trace
 constexpr double normal_peak = 0.89125;  // [1] of full scale, where the largest sample of a sound lies: -1 dB
 
-std::vector<Direction> directions_of(const Case& c) {
-    if (!parameters::has_one_phase(c.drive)) return {Direction::going, Direction::coming};
-    return {parameters::steady_direction(c.drive)};
+std::vector<Direction> directions_of(const DesignMotion& motion) {
+    if (parameters::has_one_phase(motion.of.drive)) return {parameters::steady_direction(motion.of.drive)};
+    std::vector<Direction> directions;
+    for (const record::Phase phase : motion.phases)
+        directions.push_back(phase == record::Phase::going ? Direction::going : Direction::coming);
+    return directions;
 }
 
 // the stretches up to the longest time that is heard
@@ -51,7 +60,9 @@ std::optional<DesignSound> sound_of(const Case& c, const sound::Pickup& pickup, 
     if (settings.stretches.empty()) return std::nullopt;
     integration::Workspace workspace;
     const std::optional<hearing::RunSound> run = hearing::sound_of_run(c, settings, stop, workspace);
-    if (!run || run->parts.empty()) return std::nullopt;
+    if (!run)
+        throw Error(ErrorKind::interrupted, {"stopped while listening", "a report keeps nothing", "Run it again."});
+    if (run->parts.empty()) return std::nullopt;
     const signal::Signal sound = hearing::joined(run->parts);
     if (signal::duration(sound) < shortest) return std::nullopt;
     DesignSound result{direction, hearing::judged(run->parts, {}).verdict, {}};
@@ -60,6 +71,63 @@ std::optional<DesignSound> sound_of(const Case& c, const sound::Pickup& pickup, 
         peak = std::max(peak, std::abs(sample));
     if (peak > hearing::least_motion) result.wav = recordings::wav_bytes(sound, {peak / normal_peak, sound.unit});
     return result;
+}
+
+// the run of a design that a phase has its verdict from
+advice::DesignRun run_of(const advice::DesignStanding& design, std::size_t phase) {
+    advice::DesignRun run{{}, design.present.starts[phase]};
+    if (design.space.base.drive.kind == parameters::DriveKind::constant)
+        run.direction = design.space.phases[phase] == record::Phase::going ? Direction::going : Direction::coming;
+    return run;
+}
+
+// the motions from which the phases of a design that have a result have their verdicts
+std::vector<DesignMotion> motions_of(const advice::DesignStanding& design) {
+    std::vector<DesignMotion> motions;
+    std::vector<advice::DesignRun> runs;
+    for (std::size_t k = 0; k < design.space.phases.size(); ++k) {
+        if (design.present.phases[k].status != sweep::Status::done) continue;
+        const advice::DesignRun run = run_of(design, k);
+        const auto same = std::find_if(runs.begin(), runs.end(), [&](const advice::DesignRun& other) {
+            return other.direction == run.direction && other.start == run.start;
+        });
+        if (same == runs.end()) {
+            runs.push_back(run);
+            motions.push_back({advice::case_of(design.space.base, run), {design.space.phases[k]}, {}});
+        } else {
+            motions[static_cast<std::size_t>(same - runs.begin())].phases.push_back(design.space.phases[k]);
+        }
+    }
+    return motions;
+}
+
+// the verdict of a phase of the design, from its motion
+classification::Verdict verdict_in(const DesignMotion& motion, record::Phase phase) {
+    const auto& tallies = motion.motion.record.phases;
+    const auto found = std::find_if(tallies.begin(), tallies.end(), [&](const record::Tally& tally) {
+        return tally.phase == phase || tally.phase == record::Phase::all;
+    });
+    classification::Verdict verdict =
+        found == tallies.end()
+            ? classification::Verdict{}
+            : classification::classify_phase(*found, motion.of.verdict, classification::contact_names(motion.of));
+    verdict.evidence.phase = phase;
+    return verdict;
+}
+
+// of each phase of the design; of one without a result, why
+std::vector<classification::Verdict> verdicts_of(const DesignResults& results) {
+    std::vector<classification::Verdict> verdicts;
+    for (const record::Phase phase : results.standing.space.phases) {
+        classification::Verdict verdict;
+        verdict.evidence.phase = phase;
+        verdict.reasons = {results.standing.present.message};
+        for (const DesignMotion& motion : results.motions)
+            if (std::find(motion.phases.begin(), motion.phases.end(), phase) != motion.phases.end())
+                verdict = verdict_in(motion, phase);
+        verdicts.push_back(std::move(verdict));
+    }
+    return verdicts;
 }
 
 integration::Motion motion_of(const Case& design, const std::stop_token& stop) {
@@ -92,33 +160,71 @@ analysis::ScanRange telling_range(const Case& design) {
 
 }  // namespace
 
-DesignResults basic_results(const Case& design, const std::stop_token& stop) {
+DesignResults basic_results(const Case& design, const advice::AdviceOptions& options) {
     DesignResults results;
     results.design = design;
-    results.motion = motion_of(design, stop);
-    results.verdicts = classification::classify_phases(results.motion.record.phases, design.verdict);
+    results.standing = advice::standing_of(design, advice::Look::here, options);
+    results.motions = motions_of(results.standing);
+    if (results.motions.empty())
+        throw Error(ErrorKind::numerical,
+                    {results.standing.present.message, "this design has no motion to report on", ""});
+    for (DesignMotion& motion : results.motions)
+        motion.motion = motion_of(motion.of, options.stop);
+    results.verdicts = verdicts_of(results);
+    results.stability = analysis::scan_stability(design, telling_range(design));
+    return results;
+}
+
+void add_sounds(DesignResults& results, const std::stop_token& asked, PartTime longest) {
+    std::vector<DesignSound> sounds;
+    const auto listen = [&](const std::stop_token& stop) {
+        for (const DesignMotion& motion : results.motions) {
+            const hearing::HeardMotion heard = hearing::heard_motion(motion.of, {}, motion.motion.record.phases);
+            if (results.heard.empty()) results.heard = hearing::motion_words(heard);
+            for (const Direction direction : directions_of(motion))
+                if (std::optional<DesignSound> sound = sound_of(motion.of, heard.pickup, direction, stop))
+                    sounds.push_back(std::move(*sound));
+        }
+    };
     try {
-        const hearing::HeardMotion heard = hearing::heard_motion(design, {}, results.motion.record.phases);
-        results.heard = hearing::motion_words(heard);
-        for (const Direction direction : directions_of(design))
-            if (std::optional<DesignSound> sound = sound_of(design, heard.pickup, direction, stop))
-                results.sounds.push_back(std::move(*sound));
+        if (!ends_within(longest, asked, listen))
+            results.without_sound = fmt::format(
+                "The sounds were not made within {:g} s and are left out; `stridor "
+                "listen` takes its time.",
+                longest.count());
+        else
+            results.sounds = std::move(sounds);
     } catch (const Error& error) {
         // steps too long to be heard are no reason to go without the rest
         if (error.kind() != ErrorKind::input) throw;
         results.without_sound = error.problem().what + " (" + error.problem().why + ").";
     }
-    results.stability = analysis::scan_stability(design, telling_range(design));
-    return results;
 }
 
-sweep::SweepResult chart_in_memory(const sweep::Study& study, int threads, const std::stop_token& stop) {
+std::string headline(const DesignResults& results) {
+    return results.advice ? advice::headline(*results.advice) : advice::headline(results.standing);
+}
+
+sweep::SweepResult chart_in_memory(const sweep::Study& study, const sweep::RunOptions& options) {
     const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
-    sweep::RunOptions options;
-    options.crew = crew::thread_crews(threads);
-    options.stop = stop;
-    sweep::run(study, *keeper, options);
-    return sweep::load(study, keeper);  // throws where it was stopped
+    if (sweep::run(study, *keeper, options).ending == sweep::SweepEnding::stopped)
+        throw Error(ErrorKind::interrupted, {"stopped while charting", "a report keeps nothing", "Run it again."});
+    return sweep::load(study, keeper);
+}
+
+std::string report_date() {
+    std::time_t now = std::time(nullptr);
+    std::tm day{};
+    if (const char* told = std::getenv("SOURCE_DATE_EPOCH"); told != nullptr) {
+        const std::string_view text(told);
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), now);
+        if (failure != std::errc() || end != text.data() + text.size() || ::gmtime_r(&now, &day) == nullptr)
+            throw Error(ErrorKind::input, {"SOURCE_DATE_EPOCH = " + base::visible(text) + " is no time",
+                                           "it is a number of seconds since 1970", "Unset it, or give one."});
+    } else {
+        ::localtime_r(&now, &day);
+    }
+    return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
 }  // namespace stridor::report

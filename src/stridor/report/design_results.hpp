@@ -6,7 +6,9 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/integration/motion.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/record/schedule.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/run.hpp"
 
 #include <optional>
 #include <stop_token>
@@ -22,16 +24,29 @@ struct DesignSound {
     std::string wav{};                         // the bytes of a WAV file; empty: nothing moves
 };
 
+/// A motion of a design: of all starts the one that speaks most for noise, in the directions for which it stands.
+struct DesignMotion {
+    parameters::Case of{};              // the design with direction and start put in
+    std::vector<record::Phase> phases;  // of the design
+    integration::Motion motion{};       // with trace and history for the picture
+};
+
 /// What a report on one design is made from; what was not computed is left out.
 struct DesignResults {
     parameters::Case design;
+    std::string author{};                             // who answers for it
+    std::string part{};                               // its number
+    std::string file{};                               // of the case
+    std::string date{};                               // of the report: "2026-11-25"
     std::string command{};                            // that makes the report, or prints the verdict, again
-    integration::Motion motion{};                     // with trace and history for the picture
-    std::vector<classification::Verdict> verdicts{};  // by phase
+    advice::DesignStanding standing{};                // what it does, both ways and from every start
+    std::vector<DesignMotion> motions{};              // in the order of the directions, each once
+    std::vector<classification::Verdict> verdicts{};  // by phase of the design, of those motions
     std::string heard{};                              // "joint velocity along x"
     std::vector<DesignSound> sounds{};                // by direction
     std::string without_sound{};                      // why there is none
     std::optional<sweep::SweepResult> chart{};
+    std::string about_chart{};  // why it is coarse, or is not there
     std::optional<analysis::StabilityScan> stability{};
     std::optional<advice::Advice> advice{};
     std::string without_advice{};  // why there is none, if it was wanted
@@ -40,11 +55,18 @@ struct DesignResults {
 /// The longest sound of a direction in a report [s]: 0.5 MB in the file.
 inline constexpr double longest_sound = 4.0;
 
-/// The motion of a design with its verdicts, sounds and stability: what costs little. Throws `Error` where the run has
-/// no result (input, numerical) or was stopped (interrupted).
-DesignResults basic_results(const parameters::Case& design, const std::stop_token& stop);
+/// A design with its verdicts, motions and stability: what no report goes without. Throws `Error` where no run has a
+/// result (input, numerical) or one was stopped (interrupted).
+DesignResults basic_results(const parameters::Case& design, const advice::AdviceOptions& options);
+
+/// Returns the day of today, or of SOURCE_DATE_EPOCH where that is set: "2026-11-25". Throws `Error` (input) where that
+/// is no number.
+std::string report_date();
+
+/// What a report says first (`advice::headline`): with what lies close to the design, where advice looked at it.
+std::string headline(const DesignResults& results);
 
 /// A chart in memory. Throws `Error` (interrupted) where it was stopped.
-sweep::SweepResult chart_in_memory(const sweep::Study& study, int threads, const std::stop_token& stop);
+sweep::SweepResult chart_in_memory(const sweep::Study& study, const sweep::RunOptions& options);
 
 }  // namespace stridor::report

@@ -18,15 +18,23 @@ constexpr std::string_view style = R"css(
 * { box-sizing: border-box; }
 body { font: 16px/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; color: var(--ink);
   background: var(--paper); max-width: 62rem; margin: 2.5rem auto; padding: 0 1.25rem; overflow-wrap: break-word; }
-h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 1rem; }
+h1 { font-size: 1.7rem; line-height: 1.25; margin: 0; }
+.top { display: flex; flex-wrap: wrap; justify-content: space-between; gap: .8rem 2.5rem; align-items: flex-start;
+  border-bottom: 2px solid var(--ink); padding-bottom: .8rem; margin-bottom: 1rem; }
+.top h1 { flex: 1 1 18rem; }
+.facts { display: grid; grid-template-columns: auto auto; gap: .1rem .9rem; margin: 0; font-size: .9rem; }
+.facts dt { color: var(--soft); }
+.facts dd { margin: 0; }
+.headline { font-size: 1.25rem; font-weight: 650; max-width: none; margin: 0 0 .8rem; }
 h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; border-top: 1px solid var(--line); padding-top: 1.1rem; }
 p { margin: .5rem 0; max-width: 46rem; }
 a { color: var(--link); }
 .overview { display: grid; grid-template-columns: minmax(0, 3fr) minmax(15rem, 2fr); gap: 2rem; align-items: start; }
-.badges { display: flex; flex-wrap: wrap; gap: .6rem; margin: 0 0 1rem; padding: 0; list-style: none; }
-.badges li { border-radius: 6px; padding: .35rem .8rem; font-size: 1.05rem; border: 1px solid var(--line);
+.badges { margin: 0 0 1rem; padding: 0; list-style: none; }
+.badges li { display: flex; flex-wrap: wrap; gap: .3rem .9rem; align-items: baseline; margin: 0 0 .4rem; }
+.badge { border-radius: 6px; padding: .2rem .7rem; border: 1px solid var(--line); min-width: 11rem;
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-.badges span { margin-right: .5em; }
+.badge + span { flex: 1 1 18rem; }
 .sketch { margin: 0; }
 .sketch svg { width: 100%; max-width: 24rem; height: auto; display: block; }
 figcaption, footer { color: var(--soft); font-size: .9rem; }
@@ -51,20 +59,35 @@ footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0
   .overview { grid-template-columns: minmax(0, 1fr); gap: 1rem; }
   h1 { font-size: 1.4rem; }
 }
-@page { size: A4; margin: 16mm 15mm; }
+@page { size: A4; margin: 12mm 14mm 14mm;
+  @bottom-right { content: counter(page) " / " counter(pages); font: 8pt sans-serif; } }
 @media print {
   :root { color-scheme: light; --ink: #000000; --paper: #ffffff; --line: #c4c8cc; --soft: #444444; --field: #ffffff;
     --link: #000000; }
-  body { margin: 0; padding: 0; max-width: none; font-size: 10.5pt; }
-  h1 { font-size: 17pt; }
-  h2 { font-size: 12.5pt; margin-top: 1.3rem; break-after: avoid; }
-  .overview { grid-template-columns: minmax(0, 3fr) 6.4cm; }
+  body { margin: 0; padding: 0; max-width: none; font-size: 9pt; line-height: 1.4; }
+  p { max-width: none; margin: .35rem 0; }
+  h1 { font-size: 15pt; }
+  h2 { font-size: 11pt; margin: .8rem 0 .3rem; padding-top: .5rem; break-after: avoid; }
+  .headline { font-size: 13pt; }
+  .top { margin-bottom: .7rem; padding-bottom: .5rem; flex-wrap: nowrap; }
+  .top h1 { flex-basis: 9cm; }
+  .facts { font-size: 8.5pt; }
+  .overview { grid-template-columns: minmax(0, 3fr) 4.8cm; }
+  .sketch figcaption { display: none; }
+  figure { margin: .4rem 0; }
+  figcaption, footer { font-size: 8pt; }
+  footer { margin-top: .7rem; padding: .4rem 0 0; }
   figure, .sound, .badges, tr { break-inside: avoid; }
   .frame { overflow: visible; border: 0; }
-  .frame img { min-width: 0; }
-  .scroll { overflow: visible; }
-  table { font-size: 8.5pt; }
-  pre, .file pre { max-height: none; overflow: visible; white-space: pre-wrap; font-size: 8pt; }
+  .frame img { min-width: 0; width: auto; max-width: 100%; max-height: 92mm; margin: auto; }
+  .sheet .frame img { max-height: 76mm; }
+  .whole img { max-height: 222mm; }
+  .scroll { overflow: visible; margin: .4rem 0; }
+  table { font-size: 8pt; }
+  th, td { padding-top: .12rem; padding-bottom: .12rem; }
+  pre, .file pre { max-height: none; overflow: visible; white-space: pre-wrap; font-size: 7pt; line-height: 1.28;
+    padding: .4rem .6rem; }
+  .sheet { break-after: page; }
   audio, .save { display: none !important; }
   .heard::after { content: " (To be played in the HTML file.)"; }
 }
@@ -76,7 +99,8 @@ std::string data_address(std::string_view media_type, std::string_view bytes) {
 
 // as an image: the names inside of it stay apart from those of the other pictures
 std::string figure(const Section& section) {
-    return "<figure><div class=\"frame\" tabindex=\"0\"><img alt=\"" + markup_text(section.caption) + "\" src=\"" +
+    return "<figure><div class=\"frame" + std::string(section.fills_sheet ? " whole" : "") +
+           "\" tabindex=\"0\"><img alt=\"" + markup_text(section.caption) + "\" src=\"" +
            data_address("image/svg+xml", section.svg) + "\"></div><figcaption>" + markup_text(section.caption) +
            "</figcaption></figure>\n";
 }
@@ -90,7 +114,8 @@ std::string sound(const Sound& sound) {
 std::string file(const TextFile& file) {
     return "<div class=\"file\"><pre tabindex=\"0\">" + markup_text(file.text) +
            "</pre><p class=\"save\"><a download=\"" + markup_text(file.name) + "\" href=\"" +
-           data_address("application/toml", file.text) + "\">Save as " + markup_text(file.name) + "</a></p></div>\n";
+           data_address("application/toml", file.saved.empty() ? file.text : file.saved) + "\">Save as " +
+           markup_text(file.name) + "</a></p></div>\n";
 }
 
 std::string row(const std::vector<std::string>& cells, std::string_view tag) {
@@ -122,12 +147,24 @@ std::string html(const Section& section) {
     return text + "</section>\n";
 }
 
-std::string overview(const Report& report) {
-    std::string text = "<div class=\"overview\"><div>\n<ul class=\"badges\">";
+std::string top(const Report& report) {
+    std::string text = "<header class=\"top\"><h1>" + markup_text(report.title) + "</h1>\n<dl class=\"facts\">";
+    for (const Particular& fact : report.facts)
+        text += "<dt>" + markup_text(fact.name) + "</dt><dd>" + markup_text(fact.value) + "</dd>";
+    return text + "</dl></header>\n<p class=\"headline\">" + markup_text(report.headline) + "</p>\n";
+}
+
+std::string badges(const Report& report) {
+    std::string text = "<ul class=\"badges\">";
     for (const Badge& badge : report.badges)
-        text += "<li style=\"background:" + badge.ground + ";color:" + badge.ink + "\"><span>" +
-                markup_text(badge.label) + "</span><b>" + markup_text(badge.word) + "</b></li>";
-    text += "</ul>\n";
+        text += "<li><span class=\"badge\" style=\"background:" + badge.ground + ";color:" + badge.ink + "\">" +
+                markup_text(badge.label) + " <b>" + markup_text(badge.word) + "</b></span><span>" +
+                markup_text(badge.more) + "</span></li>";
+    return text + "</ul>\n";
+}
+
+std::string overview(const Report& report) {
+    std::string text = "<div class=\"overview\"><div>\n";
     for (const std::string& paragraph : report.lead)
         text += "<p>" + markup_text(paragraph) + "</p>\n";
     text += "</div>\n";
@@ -146,12 +183,15 @@ std::string html(const Report& report) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src "
         "data:; media-src data:\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        markup_text(report.title) + "</title>\n<style>" + std::string(style) + "</style></head><body>\n<h1>" +
-        markup_text(report.title) + "</h1>\n";
-    text += overview(report);
-    for (const Section& section : report.sections)
+        markup_text(report.title) + "</title>\n<style>" + std::string(style) +
+        "</style></head><body>\n<div class=\"sheet\">";
+    text += top(report) + badges(report) + overview(report);
+    for (const Section& section : report.first)
         text += html(section);
     if (!report.foot.empty()) text += "<footer>" + markup_text(report.foot) + "</footer>\n";
+    text += "</div>\n";
+    for (const Section& section : report.sections)
+        text += html(section);
     return text + "</body></html>\n";
 }
 

@@ -13,12 +13,19 @@ struct HtmlTable {
     std::vector<std::vector<std::string>> rows{};
 };
 
-/// A word on a ground of its own: what is to be seen first.
+/// A word on a ground of its own, and a line behind it: what is to be seen first.
 struct Badge {
     std::string label;   // "going"
     std::string word;    // "squeal"
     std::string ground;  // "#BB5566"
     std::string ink;     // of the word, to be read on that ground
+    std::string more{};  // "428.5 Hz; quiet with joint mass 0.1 -> 0.135 kg"
+};
+
+/// What a report is about: "Part" and its number.
+struct Particular {
+    std::string name;
+    std::string value;
 };
 
 /// A sound that can be played where it stands.
@@ -30,8 +37,9 @@ struct Sound {
 
 /// Text that can be read, copied and saved as a file.
 struct TextFile {
-    std::string name;  // "case.toml"
-    std::string text;
+    std::string name;     // "case.toml"
+    std::string text;     // as it is read
+    std::string saved{};  // as it is saved; empty: as it is read
 };
 
 /// A heading with what stands below it, in this order; what is empty is left out.
@@ -44,17 +52,22 @@ struct Section {
     std::vector<Sound> sounds{};
     std::string code{};  // commands, as they stand
     TextFile file{};
+    bool fills_sheet = false;  // its picture is as tall as a sheet of paper
 };
 
-/// A report as its reader sees it, from top to bottom.
+/// A report as its reader sees it, from top to bottom. All above `sections` is one sheet of paper, to be handed over
+/// alone.
 struct Report {
     std::string title;
+    std::vector<Particular> facts{};
+    std::string headline{};
     std::vector<Badge> badges{};
     std::vector<std::string> lead{};  // paragraphs beside the sketch
     std::string sketch{};             // SVG
     std::string sketch_caption{};
+    std::vector<Section> first{};
+    std::string foot{};  // of the first sheet
     std::vector<Section> sections{};
-    std::string foot{};
 };
 
 /// The whole file.

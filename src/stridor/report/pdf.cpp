@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace {
 constexpr std::array<std::string_view, 6> browsers{
     "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge", "brave-browser"};
 constexpr std::string_view converter = "wkhtmltopdf";
+
+// it takes some seconds
+constexpr std::chrono::seconds longest_printing{300};
 
 // the first that is there; empty if none is
 std::string found_printer() {
@@ -58,7 +62,7 @@ std::string printed_pdf(std::string_view html) {
     const std::string printer = found_printer();
     const storage::PrivateFolder folder;
     storage::write_file((folder.path() / "report.html").string(), html);
-    const base::ProcessResult result = base::run_process(command_for(printer, folder.path()));
+    const base::ProcessResult result = base::run_process(command_for(printer, folder.path()), longest_printing);
     const std::filesystem::path sheet = folder.path() / "report.pdf";
     if (result.exit_status != 0 || !std::filesystem::exists(sheet)) {
         const std::string message(base::trimmed(result.messages));

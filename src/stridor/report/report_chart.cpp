@@ -1,14 +1,10 @@
 #include "stridor/report/report_chart.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/temperature_table.hpp"
-
-#include <fmt/format.h>
+#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/sweep/usual_axes.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace stridor::report {
 
@@ -19,23 +15,17 @@ bool has_chart_axes(const io::TomlSource& source) {
     return document.find("chart.x.parameter") != nullptr && document.find("chart.y.parameter") != nullptr;
 }
 
+// what a file does not say
+io::AxisTexts usual_axes(const parameters::Case& c, int points) {
+    const auto [x, y] = sweep::usual_axes(c, points);
+    return {io::axis_text(x), io::axis_text(y)};
+}
+
 }  // namespace
 
-sweep::Study chart_to_report(const io::TomlSource& source, const parameters::Case& c, io::AxisTexts axes, int points) {
-    const bool is_own = axes.x.empty() && axes.y.empty() && !has_chart_axes(source);
-    if (is_own) {
-        // what a load or gaps press has no preload
-        axes.x = parameters::belongs(c, "contact.preload")
-                     ? fmt::format("contact.preload={}:{}:{}:log", base::shortest(0.1 * c.contact.preload),
-                                   base::shortest(10.0 * c.contact.preload), points)
-                     : fmt::format("structure.stiffness_scale=0.1:10:{}:log", points);
-        const std::vector<double>& at = c.temperature.at;
-        axes.y =
-            parameters::temperature_column(c, "contact.kinetic_friction") == nullptr
-                ? fmt::format("contact.kinetic_friction=0:{}:{}", base::shortest(c.contact.static_friction), points)
-                : fmt::format("temperature.value={}:{}:{}", base::shortest(at.front()), base::shortest(at.back()),
-                              points);
-    }
+sweep::Study chart_to_report(const io::TomlSource& source, const parameters::Case& c, io::AxisTexts axes, int points,
+                             const advice::AskedRuns& runs) {
+    if (axes.x.empty() && axes.y.empty() && !has_chart_axes(source)) axes = usual_axes(c, points);
     sweep::Study study = io::read_study(source, axes);
     if (sweep::has_one_axis(study))
         throw Error(ErrorKind::input, {"the chart of a report has two axes", "--x was given without --y",
@@ -44,8 +34,18 @@ sweep::Study chart_to_report(const io::TomlSource& source, const parameters::Cas
         axis->points = std::min(axis->points, points);
     study.quantities = {"category"};
     study.refine = 0;
-    study.starts.clear();
+    judge_alike(study, advice::design_space(c, {}, runs));
     return study;
+}
+
+void judge_alike(sweep::Study& study, const advice::DesignSpace& space) {
+    study.starts = advice::starts_of(space);
+    if (!parameters::has_one_phase(space.base.drive) || space.runs.front().direction) {
+        study.directions.clear();
+        for (const record::Phase phase : space.phases)
+            study.directions.push_back(phase == record::Phase::going ? parameters::Direction::going
+                                                                     : parameters::Direction::coming);
+    }
 }
 
 }  // namespace stridor::report

@@ -209,9 +209,11 @@ std::string plate(const parameters::Case& c, double longer) {
     const double right = 262 + longer;
     text += arrow({right, contact.y + 36}, {right + 50, contact.y + 36});
     const bool is_constant = parameters::is_steady(c.drive);
-    text +=
-        sign({right, contact.y + 54}, "V", "", is_constant ? fmt::format("{:g} m/s", std::abs(c.drive.velocity)) : "");
-    return text;
+    const std::string value = is_constant ? fmt::format("{:.4g} m/s", std::abs(c.drive.velocity)) : "";
+    // a long value begins further to the left
+    constexpr double letter = 6.5;  // [px] width of a digit
+    const double room = width + longer - 6.0 - letter * static_cast<double>(value.size() + 4);
+    return text + sign({std::min(right, room), contact.y + 54}, "V", "", value);
 }
 
 // the preload comes from above, where no support is

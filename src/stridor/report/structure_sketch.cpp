@@ -13,23 +13,24 @@ namespace stridor::report {
 
 namespace {
 
-constexpr double sketch_width = 340.0;   // [px]
-constexpr double sketch_height = 250.0;  // [px]
-constexpr double surface = 160.0;        // [px] from above, where it rubs
-constexpr double body_left = 40.0;       // [px]
-constexpr double body_right = 300.0;     // [px]
-constexpr double body_top = 60.0;        // [px]
-constexpr double body_bottom = 125.0;    // [px]
-constexpr std::size_t most_drawn = 9;    // [1] contacts
-constexpr std::size_t longest_name = 8;  // [1] letters below a contact
+constexpr double sketch_width = 340.0;      // [px]
+constexpr double sketch_height = 250.0;     // [px]
+constexpr double surface = 160.0;           // [px] from above, where it rubs
+constexpr double body_left = 40.0;          // [px]
+constexpr double body_right = 300.0;        // [px]
+constexpr double body_top = 60.0;           // [px]
+constexpr double body_bottom = 125.0;       // [px]
+constexpr std::size_t most_drawn = 9;       // [1] contacts
+constexpr std::size_t longest_name = 8;     // [1] letters below a contact
+constexpr std::size_t longest_origin = 34;  // [1] letters across the body
 
-std::string shortened(const std::string& name) {
-    if (base::character_count(name) <= longest_name) return name;
+std::string shortened(const std::string& name, std::size_t longest) {
+    if (base::character_count(name) <= longest) return name;
     std::string text;
     std::size_t letters = 0;
     for (const char byte : name) {
         const bool begins_letter = (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-        if (begins_letter && ++letters == longest_name) break;
+        if (begins_letter && ++letters == longest) break;
         text += byte;
     }
     return text + "\u2026";
@@ -64,7 +65,7 @@ std::string contacts_drawing(const parameters::Case& c) {
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         if (k > 0 && drawn[k] != drawn[k - 1] + 1) text += text_at(next(), surface - 12.0, "\u2026");
         const double x = next();
-        const std::string name = base::markup_text(shortened(parameters::contact_name(c, drawn[k])));
+        const std::string name = base::markup_text(shortened(parameters::contact_name(c, drawn[k]), longest_name));
         // names of neighbours stand on two lines
         text += foot_at(x) + text_at(x, surface + (k % 2 == 0 || drawn.size() <= 4 ? 36.0 : 50.0), name,
                                      " style=\"font-size:10px\"");
@@ -87,7 +88,8 @@ std::string structure_sketch_svg(const parameters::Case& c) {
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"8\" "
         "style=\"fill:var(--paper,#fff)\"/>",
         body_left, body_top, body_right - body_left, body_bottom - body_top);
-    text += text_at(middle, 0.5 * (body_top + body_bottom) - 4.0, base::markup_text(own.origin));
+    text +=
+        text_at(middle, 0.5 * (body_top + body_bottom) - 4.0, base::markup_text(shortened(own.origin, longest_origin)));
     text += text_at(
         middle, 0.5 * (body_top + body_bottom) + 14.0,
         fmt::format("{} rows, {} contact{}", own.row.size(), own.contacts.size(), own.contacts.size() == 1 ? "" : "s"));

@@ -1,5 +1,9 @@
 #include "stridor/report/verdict_words.hpp"
 
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/sweep/starts.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,13 +34,17 @@ std::string share(double rate) {
 // ", about 428 times a second"
 std::string often(const analysis::Evidence& e) {
     if (!std::isfinite(e.alternation.frequency)) return "";
-    return fmt::format(", about {:.3g} times a second", e.alternation.frequency);
+    const double frequency = e.alternation.frequency;
+    return ", about " + fmt::format(fmt::runtime(frequency < 1000.0 ? "{:.3g}" : "{:.0f}"), frequency) +
+           " times a second";
 }
 
 std::string what_happens(const Verdict& verdict) {
     const analysis::Evidence& e = verdict.evidence;
     switch (verdict.category) {
         case Category::none:
+            if (verdict.quiet == classification::Quiet::locks)
+                return "the contact makes no noise, and is no quiet design: it digs in. It " + verdict.reasons.back();
             return verdict.quiet == classification::Quiet::sticks
                        ? "the contact stays quiet: it sticks, and is carried along"
                        : "the contact stays quiet: it slides steadily";
@@ -66,18 +74,27 @@ std::string plain_words(const Verdict& verdict) {
     return text;
 }
 
-std::string summary(const std::vector<Verdict>& verdicts) {
-    std::string noisy;
-    std::string quiet;
-    for (const Verdict& verdict : verdicts) {
-        if (verdict.category == Category::undecided) return "Not every direction of motion could be judged.";
-        std::string& list = verdict.category == Category::none ? quiet : noisy;
-        list += (list.empty() ? "" : " and ") +
-                std::string(record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
-    }
-    if (noisy.empty()) return "The model predicts no noise of this design.";
-    if (quiet.empty()) return "The model predicts noise of this design.";
-    return "The model predicts noise of this design while " + noisy + ", and none while " + quiet + ".";
+std::string phase_name(const Verdict& verdict) {
+    return std::string(record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
+}
+
+std::string start_words(const std::vector<parameters::Initial>& starts) {
+    std::vector<std::string> names;
+    for (const parameters::Initial start : starts)
+        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
+    return base::listed(names);
+}
+
+std::string judged_words(const advice::DesignSpace& space) {
+    std::vector<std::string> ways;
+    for (const record::Phase phase : space.phases)
+        ways.emplace_back(record::phase_names[static_cast<std::size_t>(phase)]);
+    return base::listed(ways) + ", from " + start_words(advice::starts_of(space));
+}
+
+std::string measured(std::string_view key, double value) {
+    const std::string_view unit = parameters::unit_of(key);
+    return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + std::string(unit));
 }
 
 }  // namespace stridor::report

@@ -2,8 +2,10 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stridor::signal {
@@ -44,6 +46,17 @@ private:
 };
 
 }  // namespace
+
+base::Problem sample_problem(double value, const Channel& channel, std::uint64_t number) {
+    std::string what = "sample " + std::to_string(number);
+    if (!channel.name.empty()) what += " of the channel \"" + channel.name + "\"";
+    what += " is " + base::shortest(value);
+    if (!std::isfinite(value))
+        return {std::move(what), "a recording has finite samples only",
+                "Was it written by another program with an error?"};
+    return {what + " " + channel.unit, "nothing that is measured exceeds " + base::shortest(largest_sample),
+            "Is the file damaged, or its calibration wrong?"};
+}
 
 std::vector<Signal> read_all(Source& source, std::uint64_t limit) {
     const ChannelLayout& layout = source.layout();

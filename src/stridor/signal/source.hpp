@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
 #include "stridor/signal/signal.hpp"
 
 #include <cstddef>
@@ -24,6 +25,18 @@ struct ChannelLayout {
     std::vector<Channel> channels{};
     std::optional<std::uint64_t> frames{};  // samples per channel; nothing where the file does not say
 };
+
+/// The largest size of a sample, in whatever unit. No instrument shows more, and the fourth powers of as many samples
+/// as fit a disk add up to a number. Beyond it levels are infinite, and nothing that rests on them has a value.
+inline constexpr double largest_sample = 1e30;
+
+/// Is this a sample to compute with: a number, and none too large?
+constexpr bool is_sample(double value) {
+    return -largest_sample <= value && value <= largest_sample;
+}
+
+/// What is wrong with a value that is no sample; `number` counts the samples of its channel from 1.
+base::Problem sample_problem(double value, const Channel& channel, std::uint64_t number);
 
 /// A recording that is read in blocks, once, from its first frame to its last: hours of it never stand in memory.
 class Source {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace stridor::sound {
@@ -16,6 +17,9 @@ namespace {
 constexpr double spectrum_time = 0.085;  // [s] of the spectra
 constexpr std::size_t most_extents = 4096;
 constexpr std::size_t block_frames = 1U << 16U;
+// [unit] less is silence: the fourth powers of what is smaller leave double precision, and 0/0 is no figure
+constexpr double smallest_sample = 1e-60;
+constexpr double lowest_heard = 40.0;  // [Hz] below lies the motion of the drive
 
 // the waveform's extremes; when they become too many, neighbours are joined
 class Outline {
@@ -145,7 +149,19 @@ void check(const signal::ChannelLayout& layout) {
 
 using Channels = std::vector<std::vector<double>>;  // [unit] shape [channel][frame]
 
-// a recording block by block, channel by channel, of finite samples only
+// The part of a signal that stands still where it outweighs what moves: gravity, a bias, an offset. Else 0: filters
+// then take away what there is, and the samples keep their bits.
+double standing_part(std::span<const double> samples) {
+    const auto count = static_cast<double>(samples.size());
+    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
+    double moving = 0.0;
+    for (const double x : samples)
+        moving += (x - mean) * (x - mean);
+    return mean * mean * count > moving ? mean : 0.0;
+}
+
+// A recording block by block, channel by channel, of samples to compute with only. What stands still in the first block
+// is taken away from all: its beginning would be heard as a blow, and its level as loudness.
 class BlockReader {
 public:
     explicit BlockReader(signal::Source& source)
@@ -161,24 +177,33 @@ public:
             channels[channel].resize(count);
             for (std::size_t frame = 0; frame < count; ++frame) {
                 const double x = block_[frame * width_ + channel];
-                if (!std::isfinite(x)) refuse(x, done_ + frame + 1);
-                channels[channel][frame] = x;
+                if (!signal::is_sample(x)) refuse(x, channel, done_ + frame + 1);
+                channels[channel][frame] = std::abs(x) < smallest_sample ? 0.0 : x;
             }
         }
+        if (count > 0) take_standing_parts(channels);
         done_ += count;
         return count;
     }
 
 private:
-    [[noreturn]] static void refuse(double x, std::uint64_t sample) {
-        throw Error(ErrorKind::input,
-                    {"sample " + std::to_string(sample) + " is " + base::shortest(x), "a sound has finite samples only",
-                     "Was it written by another program with an error?"});
+    void take_standing_parts(Channels& channels) {
+        for (std::size_t channel = 0; channel < width_; ++channel) {
+            if (done_ == 0) standing_.push_back(standing_part(channels[channel]));
+            if (standing_[channel] == 0.0) continue;
+            for (double& x : channels[channel])
+                x -= standing_[channel];
+        }
+    }
+
+    [[noreturn]] void refuse(double x, std::size_t channel, std::uint64_t number) const {
+        throw Error(ErrorKind::input, signal::sample_problem(x, source_.layout().channels[channel], number));
     }
 
     signal::Source& source_;
     std::size_t width_;
     std::vector<double> block_;
+    std::vector<double> standing_{};  // [unit] shape [channel]
     std::uint64_t done_ = 0;
 };
 
@@ -264,7 +289,7 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
 std::size_t loudest(std::span<const SoundAnalysis> channels) {
     const auto square = [](const SoundAnalysis& channel) {
         const double reference = signal::reference_of(channel.unit);
-        return channel.mean_square / (reference * reference);
+        return signal::mean_square_between(channel.spectrum, lowest_heard, channel.rate) / (reference * reference);
     };
     const auto found = std::max_element(channels.begin(), channels.end(),
                                         [&](const auto& a, const auto& b) { return square(a) < square(b); });

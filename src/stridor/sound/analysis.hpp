@@ -83,15 +83,16 @@ bool is_heard_through_air(const signal::Channel& channel);
 
 /// Reads a recording to its end and analyses all channels; shape [channel]. The stretches, the passages and the
 /// overview of each channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get
-/// their sound quality, heard in it.
+/// their sound quality, heard in it. What stands still in a channel and outweighs what moves (the gravity in an
+/// accelerometer) is taken away first, so levels and peaks are of what moves.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgress& progress = {},
                                    const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
 
-/// The channel with the greatest level, of equals the first: channels may have different units, so that their levels
-/// are compared and not their samples. There is at least one.
+/// The channel with the greatest level above 40 Hz, of equals the first: channels may have different units, so that
+/// their levels are compared and not their samples. There is at least one.
 std::size_t loudest(std::span<const SoundAnalysis> channels);
 
 }  // namespace stridor::sound

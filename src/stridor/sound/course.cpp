@@ -1,5 +1,6 @@
 #include "stridor/sound/course.hpp"
 
+#include "stridor/base/whole.hpp"
 #include "stridor/signal/window.hpp"
 
 #include <algorithm>
@@ -146,12 +147,13 @@ Moments moments_of(std::span<const double> samples) {
 
 double largest_dwell(std::span<const double> samples, double width) {
     constexpr std::size_t slots_per_width = 8;
-    constexpr double most_slots = 1 << 15;
+    constexpr std::size_t most_slots = 1U << 15U;
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-    const double scale = std::min(slots_per_width / width, most_slots / std::max(*high - *low, 1e-300));
-    std::vector<std::size_t> counts(static_cast<std::size_t>((*high - *low) * scale) + 2);
+    const double scale =
+        std::min(slots_per_width / width, static_cast<double>(most_slots) / std::max(*high - *low, 1e-300));
+    std::vector<std::size_t> counts(base::whole_below((*high - *low) * scale, most_slots) + 2);
     for (const double x : samples)
-        ++counts[static_cast<std::size_t>((x - *low) * scale)];
+        ++counts[base::whole_below((x - *low) * scale, counts.size() - 1)];
     std::size_t inside = 0;
     std::size_t most = 0;
     for (std::size_t slot = 0; slot < counts.size(); ++slot) {

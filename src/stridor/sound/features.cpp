@@ -8,6 +8,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/whole.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/window.hpp"
 #include "stridor/sound/course.hpp"
@@ -30,7 +31,8 @@ constexpr double line_frame = 0.085;       // [s] long enough for lines 25 Hz ap
 constexpr double lowest_frequency = 40.0;  // [Hz] below lies the drive, not its noise
 constexpr double longest_cycle = 0.025;    // [s]
 constexpr std::size_t floor_bands = 24;
-constexpr double cliff = 100.0;  // [1] drop from band to band where a recording's bandwidth ends
+constexpr std::size_t least_floor_bins = 20;  // of a band: the lowest of medians of fewer lies far below the background
+constexpr double cliff = 100.0;               // [1] drop from band to band where a recording's bandwidth ends
 
 using Power = std::vector<double>;
 
@@ -38,7 +40,8 @@ using Power = std::vector<double>;
 // recording ends there, and say nothing about its background.
 double floor_of(std::span<const double> power, std::size_t lowest) {
     const std::span<const double> audible = power.subspan(lowest);
-    const std::size_t width = std::max<std::size_t>(1, audible.size() / floor_bands);
+    const std::size_t wanted = std::max(least_floor_bins, audible.size() / floor_bands);
+    const std::size_t width = std::max<std::size_t>(1, std::min(wanted, audible.size()));
     double least = infinity;
     double before = 0.0;
     for (std::size_t band = 0; (band + 1) * width <= audible.size(); ++band) {
@@ -184,7 +187,7 @@ void FeatureFinder::describe_tone(const Picture& picture, SoundFeatures& feature
     if (!(whole > 0.0)) return;
     const double width = rate_ / static_cast<double>(size_);  // [Hz] of a bin
     const double place = line_place(kept, picture.lowest, kept.size() - 1);
-    const auto top = static_cast<std::size_t>(std::lround(place));
+    const std::size_t top = base::whole_near(place, kept.size() - 1);
     features.frequency = place * width;
 
     // a Hann line and the two bins on either side; a short stretch has wider lines
@@ -215,7 +218,7 @@ void FeatureFinder::describe_movement(const Picture& picture, double place, Soun
         for (std::size_t k = from; k < to; ++k)
             here[k] = std::norm(frame[k]) * picture.gain[k];
         const double there = line_place(here, from, to);
-        const double power = here[std::min(to - 1, static_cast<std::size_t>(std::lround(there)))];
+        const double power = here[base::whole_near(there, to - 1)];
         weight += power;
         first += power * there;
         second += power * there * there;
@@ -248,10 +251,8 @@ void FeatureFinder::describe_cycles(const Picture& picture, std::span<const doub
     const double cycle = rate_ / features.frequency;
     const double reach = std::max(1.0, 0.1 * cycle);
     if (cycle + reach < static_cast<double>(lags))
-        features.regularity = std::clamp(peak_in(static_cast<std::size_t>(std::lround(cycle - reach)),
-                                                 static_cast<std::size_t>(std::lround(cycle + reach)) + 1)
-                                             .height,
-                                         0.0, 1.0);
+        features.regularity = std::clamp(
+            peak_in(base::whole_near(cycle - reach, lags), base::whole_near(cycle + reach, lags) + 1).height, 0.0, 1.0);
     const auto negative = std::find_if(likeness.begin(), likeness.end(), [](double value) { return value < 0.0; });
     const Summit best = peak_in(static_cast<std::size_t>(negative - likeness.begin()), lags);
     if (best.height > 0.0) {
@@ -308,7 +309,7 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
 
     const std::vector<double> sound = above_floor(picture, samples.size());
     const Moments moments = moments_of(sound);
-    if (!(moments.second > 0.0)) return stretch;
+    if (!(moments.second * moments.second > 0.0)) return stretch;
     features.mean_square = moments.second;
     features.peak = moments.peak;
     features.kurtosis = moments.fourth / (moments.second * moments.second);

@@ -204,8 +204,9 @@ void describe_levels(std::span<const double> samples, double rate, Onsets& onset
     const std::vector<double> levels = levels_of(squares, least_share * greatest);
     const std::vector<std::uint8_t> loud = loud_parts(levels);
     onsets.level_spread = moments_of(levels, loud).deviation;
-    // silence before and after is no pause
     const auto first = std::find(loud.begin(), loud.end(), 1);
+    if (first == loud.end()) return;
+    // silence before and after is no pause
     const auto last = std::find(loud.rbegin(), loud.rend(), 1).base();
     onsets.sounding = std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
 }
@@ -217,7 +218,8 @@ double kurtosis_of(std::span<const double> samples) {
         second += x * x;
         fourth += x * x * x * x;
     }
-    return second > 0.0 ? fourth * static_cast<double>(samples.size()) / (second * second) : 0.0;
+    const double square = second * second;  // of what is all but silent it is zero
+    return square > 0.0 ? fourth * static_cast<double>(samples.size()) / square : 0.0;
 }
 
 std::vector<double> instants_of(std::span<const std::size_t> parts, double part) {

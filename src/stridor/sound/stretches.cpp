@@ -27,6 +27,7 @@ public:
     std::size_t length() const { return length_; }
 
     void push(std::span<const double> samples) {
+        if (!has_begun_ && !samples.empty()) begin(samples.front());
         for (const double x : samples) {
             const double y = section_.b0 * x + first_;
             first_ = section_.b1 * x - section_.a1 * y + second_;
@@ -42,9 +43,17 @@ public:
     std::vector<double> squares{};  // of the parts not yet cut off
 
 private:
+    // as if the first sample had stood there for ever: that a recording begins is no noise
+    void begin(double x) {
+        has_begun_ = true;
+        first_ = -section_.b0 * x;
+        second_ = section_.b2 * x;
+    }
+
     signal::Biquad section_;
     std::size_t length_;
     std::size_t filled_ = 0;
+    bool has_begun_ = false;
     double sum_ = 0.0;
     double first_ = 0.0;
     double second_ = 0.0;

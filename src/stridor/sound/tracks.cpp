@@ -1,5 +1,7 @@
 #include "stridor/sound/tracks.hpp"
 
+#include "stridor/base/whole.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,14 +13,13 @@ constexpr double heard_depth = 20.0;  // [dB] below the greatest level, as in `O
 
 bool is_heard(const signal::LevelHistory& level, double time) {
     if (level.decibels.empty()) return true;
-    const auto place = static_cast<std::size_t>(std::max(0.0, time / level.interval));
-    return level.decibels[std::min(place, level.decibels.size() - 1)] >= level.greatest - heard_depth;
+    const std::size_t place = base::whole_below(time / level.interval, level.decibels.size() - 1);
+    return level.decibels[place] >= level.greatest - heard_depth;
 }
 
 // which of `most` equal moments an instant lies in
 std::size_t moment_of(double time, double duration, std::size_t most) {
-    const double place = std::max(0.0, time / duration * static_cast<double>(most));
-    return std::min(static_cast<std::size_t>(place), most - 1);
+    return base::whole_below(time / duration * static_cast<double>(most), most - 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace stridor::storage {
 
@@ -39,12 +40,14 @@ struct CheckedFiles::System {
 
     Identity identity;
     Damage damage = Damage::refuse;
-    Pages pages = Pages::unknown;  // what the header says that was read or written last
+    std::function<bool()> is_ours{};  // empty: they are
+    Pages pages = Pages::unknown;     // what the header says that was read or written last
     std::string name{};
     sqlite3_vfs* real = nullptr;
     sqlite3_vfs own{};
 
     void look_at_header(const std::uint8_t* header);
+    bool are_ours() const { return !is_ours || is_ours(); }
 };
 
 void CheckedFiles::System::look_at_header(const std::uint8_t* header) {
@@ -196,6 +199,10 @@ int open_file(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags,
     real(file)->pMethods = nullptr;
     int code = system.real->xOpen(system.real, name, real(file), flags, given);
     if (real(file)->pMethods == nullptr) return code;
+    if (code == SQLITE_OK && is_journal && (flags & SQLITE_OPEN_READWRITE) != 0 && !system.are_ours()) {
+        real(file)->pMethods->xClose(real(file));
+        return SQLITE_CANTOPEN;
+    }
     file->pMethods = &checked_methods;
     sqlite3_int64 size = 0;
     if (code == SQLITE_OK && is_database) code = real(file)->pMethods->xFileSize(real(file), &size);
@@ -212,6 +219,7 @@ sqlite3_vfs checked_system(System& system) {
     vfs.pAppData = &system;
     vfs.xOpen = open_file;
     vfs.xDelete = [](sqlite3_vfs* own, const char* name, int sync) {
+        if (!system_of(own).are_ours()) return SQLITE_IOERR_DELETE;
         return system_of(own).real->xDelete(system_of(own).real, name, sync);
     };
     vfs.xAccess = [](sqlite3_vfs* own, const char* name, int flags, int* out) {
@@ -240,7 +248,9 @@ sqlite3_vfs checked_system(System& system) {
 
 }  // namespace
 
-CheckedFiles::CheckedFiles(const Identity& identity, Damage damage) : system_(std::make_unique<System>()) {
+CheckedFiles::CheckedFiles(const Identity& identity, Damage damage, std::function<bool()> is_ours)
+    : system_(std::make_unique<System>()) {
+    system_->is_ours = std::move(is_ours);
     system_->identity = identity;
     system_->damage = damage;
     sqlite3_initialize();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,8 +29,11 @@ enum class Damage {
 /// Pages that come back from a rollback journal are looked at like those of the database.
 class CheckedFiles {
 public:
-    /// What the files are, and what becomes of a damaged page.
-    CheckedFiles(const Identity& identity, Damage damage);
+    /// What the files are, what becomes of a damaged page, and whether they are still this process's.
+    ///
+    /// `is_ours` is asked once a journal has been opened to be written, and before one is removed: a journal is known
+    /// by its name, which may lead to that of another process by then. If it says no the call fails.
+    CheckedFiles(const Identity& identity, Damage damage, std::function<bool()> is_ours = {});
     ~CheckedFiles();
     CheckedFiles(const CheckedFiles&) = delete;
     CheckedFiles& operator=(const CheckedFiles&) = delete;

@@ -1,6 +1,7 @@
 #include "stridor/storage/database.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/hand_over.hpp"
 #include "stridor/storage/new_file.hpp"
 #include "stridor/storage/page_checksum.hpp"
 
@@ -48,23 +49,39 @@ Database::Database(const std::filesystem::path& file, const DatabaseOptions& opt
     : file_(file),
       words_(options.words),
       ownership_(options.ownership),
-      files_(options.identity.application_id == 0 ? nullptr
-                                                  : std::make_unique<CheckedFiles>(options.identity, options.damage)) {
+      confirm_(options.confirm),
+      busy_(std::make_unique<Busy>(Busy{options.waiting, options.wait,
+                                        "another process, which has the " + options.words.kind + " " + file.string()})),
+      files_(options.identity.application_id == 0
+                 ? nullptr
+                 : std::make_unique<CheckedFiles>(options.identity, options.damage, options.is_ours)) {
     // an absolute path is never one of SQLite's special names (":memory:")
     std::error_code error;
     const std::filesystem::path absolute = std::filesystem::absolute(file, error);
     sqlite3* handle = nullptr;
-    const int flags = SQLITE_OPEN_READWRITE | (options.missing == MissingFile::create ? SQLITE_OPEN_CREATE : 0);
+    const int flags = (options.undoing == Undoing::never ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE) |
+                      (options.missing == MissingFile::create ? SQLITE_OPEN_CREATE : 0);
     const int code =
         error ? SQLITE_CANTOPEN : sqlite3_open_v2(absolute.c_str(), &handle, flags, files_ ? files_->name() : nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK) fail(code);
     sqlite3_extended_result_codes(handle, 1);
-    sqlite3_busy_timeout(handle, static_cast<int>(options.wait.count()));
+    sqlite3_busy_handler(handle, wait_on, busy_.get());
     defend();
     // this does not touch the file, which may not be ours, but looks whether the schema can be read
     if (options.damage == Damage::salvage) return;
     execute(ownership_ == Ownership::alone ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = EXTRA");
+}
+
+int Database::wait_on(void* busy, int times) {
+    Busy& of = *static_cast<Busy*>(busy);
+    if (times == 0) of.waiting.emplace(of.options, of.longest);
+    try {
+        return of.waiting->goes_on(of.whom) ? 1 : 0;
+    } catch (const Error&) {
+        // nothing is thrown through SQLite, which says that it is busy
+        return 0;
+    }
 }
 
 // a file may come from anywhere, and SQLite does what its schema says
@@ -97,6 +114,9 @@ void Database::fail(int code) const {
                         {name + " is no " + words_.kind, "it is not an SQLite database", words_.not_ours});
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
+            if (busy_->options.stop.stop_requested())
+                throw Error(ErrorKind::interrupted, {"stopped while it waited for " + busy_->whom,
+                                                     "nothing has been changed", "Run the same command again."});
             throw Error(ErrorKind::io, {the_kind + " is in use", "another process has it open", words_.in_use});
         case SQLITE_CORRUPT:
             throw Error(ErrorKind::io, {the_kind + " is damaged", why, words_.damaged});
@@ -198,15 +218,30 @@ void Database::copy_bytes(const std::filesystem::path& copy) {
     written.keep(copy);
 }
 
+std::filesystem::path Database::journal() const {
+    return sqlite3_filename_journal(sqlite3_db_filename(handle_.get(), "main"));
+}
+
+void Database::end_journal() {
+    // SQLite lets go of the file and leaves it where it is
+    execute("PRAGMA journal_mode = MEMORY");
+    std::error_code ignored;
+    if (!has_open_change(file_)) std::filesystem::remove(journal(), ignored);
+}
+
 void Database::own() {
+    if (confirm_) confirm_();
+    // it was opened before it was asked whose it is
+    if (has_moved())
+        throw Error(ErrorKind::io, {"the " + words_.kind + " " + file_.string() + " is no longer this process's",
+                                    "another one has taken it over", "Run the same command again."});
     // what SQLite did not have to undo for this lock is a journal whose process died, or could not remove it, after
     // all was written; with the lock it is nobody's. Of an empty database it is our own: the lock's transaction makes
     // the
     // first page
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file_, ignored);
-    if (!ignored && size >= page_size)
-        std::filesystem::remove(sqlite3_filename_journal(sqlite3_db_filename(handle_.get(), "main")), ignored);
+    if (!ignored && size >= page_size) std::filesystem::remove(journal(), ignored);
     // not before the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that
     // begin at once would each keep the part that the other one lacks
     execute("PRAGMA locking_mode = EXCLUSIVE");

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "stridor/storage/checked_files.hpp"
+#include "stridor/storage/waiting.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +41,9 @@ enum class Ownership { alone, shared };
 /// What becomes of a file that is not there.
 enum class MissingFile { create, refuse };
 
+/// May a database that is read be changed for that, where an interrupted change is to be undone?
+enum class Undoing { allowed, never };
+
 /// How a database is opened.
 struct DatabaseOptions {
     Words words{};
@@ -45,7 +51,11 @@ struct DatabaseOptions {
     Damage damage = Damage::refuse;
     Ownership ownership = Ownership::alone;
     MissingFile missing = MissingFile::create;
+    Undoing undoing = Undoing::allowed;
     std::chrono::milliseconds wait{0};  // for a lock that another process holds
+    WaitOptions waiting{};              // meanwhile
+    std::function<void()> confirm{};    // called once the lock that is kept has been got; may throw
+    std::function<bool()> is_ours{};    // asked before a journal is written or removed (`CheckedFiles`)
 };
 
 /// An SQLite database in one file.
@@ -92,6 +102,10 @@ public:
     /// Writes the bytes of the file, as they stand, into another one.
     void copy_bytes(const std::filesystem::path& copy);
 
+    /// Removes the journal of a database that this process has alone, which SQLite would do when it is closed: to be
+    /// called while the file is still this process's. Changes after that would not survive a kill.
+    void end_journal();
+
     /// The key of the row that was inserted last.
     std::int64_t last_row() const;
 
@@ -107,6 +121,15 @@ private:
     friend class Statement;
     friend class Transaction;
 
+    // a wait for the lock, as SQLite asks how it goes on
+    struct Busy {
+        WaitOptions options;
+        std::chrono::milliseconds longest;
+        std::string whom;
+        std::optional<Waiting> waiting{};
+    };
+    static int wait_on(void* busy, int times);
+
     struct Close {
         void operator()(sqlite3* handle) const;
     };
@@ -114,10 +137,13 @@ private:
     [[noreturn]] void fail(int code) const;
     void defend();
     void own();
+    std::filesystem::path journal() const;
 
     std::filesystem::path file_;
     Words words_;
     Ownership ownership_;
+    std::function<void()> confirm_;
+    std::unique_ptr<Busy> busy_;
     std::unique_ptr<CheckedFiles> files_;  // nothing for any database
     bool is_owned_ = false;                // the lock that is kept has been got
     std::unique_ptr<sqlite3, Close> handle_;

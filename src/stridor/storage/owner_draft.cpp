@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <random>
+#include <span>
 #include <system_error>
 
 namespace stridor::storage {
@@ -37,6 +38,32 @@ int open_new(const fs::path& name) {
     return number;
 }
 
+// a name may be anybody's: no link is followed and no pipe is waited for
+int open_existing(const fs::path& name) {
+    int number = -1;
+    do
+        number = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    while (number < 0 && errno == EINTR);
+    return number;
+}
+
+ssize_t read_some(int number, std::span<char> into) {
+    ssize_t size = -1;
+    do
+        size = ::read(number, into.data(), into.size());
+    while (size < 0 && errno == EINTR);
+    return size;
+}
+
+// in words, if it is no file
+std::string other_thing(mode_t mode) {
+    if (S_ISREG(mode)) return "";
+    if (S_ISDIR(mode)) return "it is a folder";
+    if (S_ISLNK(mode)) return "it is a link";
+    if (S_ISFIFO(mode)) return "it is a pipe";
+    return "it is no file";
+}
+
 bool is_draft(std::string_view name, std::string_view owner) {
     if (name.size() != owner.size() + 1 + mark_length || !name.starts_with(owner) || name[owner.size()] != '.')
         return false;
@@ -55,20 +82,44 @@ void remove_name(const fs::path& name) {
     }
 }
 
-std::optional<SeenOwner> seen_at(const fs::path& name, double now) {
-    // opened, for then NFS asks the server for the time instead of remembering one
-    const Descriptor opened(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+OwnerLook look_at(const fs::path& name, double now) {
     struct stat status {};
+    OwnerLook look;
+    if (::lstat(name.c_str(), &status) != 0) {
+        if (errno == ENOENT || errno == ENOTDIR) return look;
+        look.found = OwnerLook::Found::unreadable;
+        look.problem = reason_of(errno);
+        return look;
+    }
+    look.problem = other_thing(status.st_mode);
+    look.found = OwnerLook::Found::other_thing;
+    if (!look.problem.empty()) return look;
+    // opened, for then NFS asks the server for the time instead of remembering one
+    const Descriptor opened(open_existing(name));
+    look.found = OwnerLook::Found::nothing;
+    if (!opened.is_open() && errno == ENOENT) return look;
     std::array<char, longest_owner_text> text{};
-    if (!opened.is_open() || ::fstat(opened.number(), &status) != 0) return std::nullopt;
-    const ssize_t size = ::read(opened.number(), text.data(), text.size());
-    if (size < 0) return std::nullopt;
-    const Owner owner = read_owner({text.data(), static_cast<std::size_t>(size)});
-    return SeenOwner{owner, now - seconds(status.st_mtim)};
+    const ssize_t size = opened.is_open() ? read_some(opened.number(), text) : -1;
+    look.found = size < 0 ? OwnerLook::Found::unreadable : OwnerLook::Found::owner;
+    if (size < 0)
+        look.problem = reason_of(errno);
+    else
+        look.seen.owner = read_owner({text.data(), static_cast<std::size_t>(size)});
+    if (opened.is_open()) ::fstat(opened.number(), &status);
+    look.seen.silence = now - seconds(status.st_mtim);
+    look.state =
+        fmt::format("{} {} {}.{:09}", status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+    return look;
+}
+
+std::optional<SeenOwner> seen_at(const fs::path& name, double now) {
+    const OwnerLook look = look_at(name, now);
+    return look.found == OwnerLook::Found::owner ? std::optional(look.seen) : std::nullopt;
 }
 
 Draft::Draft(const fs::path& owner, std::string_view text, const std::string& shown)
     : name_(owner.string() + "." + new_mark()),
+      shown_(shown),
       file_(open_new(name_)) {
     code_ = file_.is_open() ? 0 : errno;
     if (!file_.is_open()) return;
@@ -82,6 +133,11 @@ Draft::Draft(const fs::path& owner, std::string_view text, const std::string& sh
 
 Draft::~Draft() {
     if (file_.is_open()) remove_name(name_);
+}
+
+void Draft::rewrite(std::string_view text) const {
+    const ssize_t size = ::pwrite(file_.number(), text.data(), text.size(), 0);
+    if (size != static_cast<ssize_t>(text.size())) throw system_failure("write", shown_, size < 0 ? errno : ENOSPC);
 }
 
 double Draft::time() const {

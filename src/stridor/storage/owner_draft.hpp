@@ -17,8 +17,24 @@ std::string new_mark();
 /// Removes a file; what cannot be removed stays, and grows old.
 void remove_name(const std::filesystem::path& name);
 
-/// What an owner's file says, silent since it was last touched; nothing where there is none. `now` is the time of the
-/// file system [s].
+/// What stands where an owner's file may be.
+struct OwnerLook {
+    enum class Found {
+        nothing,
+        owner,
+        unreadable,  // a file that does not let itself be read: another user's, or on a disk that fails
+        other_thing  // a folder, a link, a pipe: none of this program's
+    };
+    Found found = Found::nothing;
+    SeenOwner seen{};       // of an unreadable file only its silence
+    std::string state{};    // which file it is and when it was touched: another with each sign of life
+    std::string problem{};  // why it says nothing: "permission denied", "it is a folder"
+};
+
+/// Looks at a name, and never waits: no pipe is read and no link followed. `now` is the time of the file system [s].
+OwnerLook look_at(const std::filesystem::path& name, double now);
+
+/// Reads what an owner's file says, silent since it was last touched; `std::nullopt` where none can be read.
 std::optional<SeenOwner> seen_at(const std::filesystem::path& name, double now);
 
 /// A file of its own beside the owner's, "chart.sqlite.owner.0123456789abcdef", gone with this: its time is that of the
@@ -36,11 +52,15 @@ public:
     /// Where it stands.
     const std::filesystem::path& name() const { return name_; }
 
-    /// When it was made [s].
+    /// Says something else, of the same length. Throws `Error` (io).
+    void rewrite(std::string_view text) const;
+
+    /// When it was written [s].
     double time() const;
 
 private:
     std::filesystem::path name_;
+    std::string shown_;
     Descriptor file_;
     int code_ = 0;
 };

@@ -9,9 +9,7 @@
 
 namespace stridor::storage {
 
-namespace {
-
-std::string reason(int code) {
+std::string reason_of(int code) {
     switch (code) {
         case ENOSPC:
             return "the disk is full";
@@ -35,8 +33,6 @@ std::string reason(int code) {
     }
 }
 
-}  // namespace
-
 Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
 
 Descriptor::~Descriptor() {
@@ -49,7 +45,7 @@ void Descriptor::close(const std::string& shown) {
 }
 
 Error system_failure(const std::string& doing, const std::string& shown, int code, std::string suggestion) {
-    return {ErrorKind::io, {"cannot " + doing + " " + shown, reason(code), std::move(suggestion)}};
+    return {ErrorKind::io, {"cannot " + doing + " " + shown, reason_of(code), std::move(suggestion)}};
 }
 
 void write_all(int descriptor, std::string_view bytes, const std::string& shown) {

@@ -33,6 +33,9 @@ private:
     int number_;
 };
 
+/// "permission denied": a number of the system's (errno) in words.
+std::string reason_of(int code);
+
 /// "cannot write library.sqlite (the disk is full)" (io) from a number of the system's (errno).
 Error system_failure(const std::string& doing, const std::string& shown, int code, std::string suggestion = "");
 

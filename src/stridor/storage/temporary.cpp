@@ -85,7 +85,18 @@ std::optional<Descriptor> locked_folder(const fs::path& folder) {
     return is_called(status, folder) ? std::optional(std::move(opened)) : std::nullopt;
 }
 
+Error lacks_folder(const fs::path& folder, const std::string& shown) {
+    return system_failure("write", shown, ENOENT, "Create the folder \"" + folder.string() + "\" first.");
+}
+
 }  // namespace
+
+void expect_folder_of(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    std::error_code error;
+    if (!folder.empty() && fs::status(folder, error).type() == fs::file_type::not_found)
+        throw lacks_folder(folder, file.string());
+}
 
 void remove_leftovers(const fs::path& folder) {
     const std::string begins = "." + beginning();
@@ -101,11 +112,8 @@ Temporary begin_temporary(const fs::path& folder, const std::string& shown) {
         fs::path name = named / (begins + std::to_string(number) + std::string(ending));
         Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
         if (!file.is_open() && (errno == EEXIST || errno == EINTR)) continue;
-        if (!file.is_open()) {
-            const std::string suggestion =
-                errno == ENOENT ? "Create the folder \"" + folder.string() + "\" first." : "";
-            throw system_failure("write", shown, errno, suggestion);
-        }
+        if (!file.is_open() && errno == ENOENT) throw lacks_folder(folder, shown);
+        if (!file.is_open()) throw system_failure("write", shown, errno);
         // somebody may have taken it for abandoned before it was locked
         struct stat status {};
         const bool is_free = try_lock(file.number()) != Lock::held_by_another;

@@ -26,6 +26,9 @@ struct Temporary {
 /// calls the file.
 Temporary begin_temporary(const std::filesystem::path& folder, const std::string& shown);
 
+/// Throws `Error` (io) where the folder of a file that is to be written is not there.
+void expect_folder_of(const std::filesystem::path& file);
+
 /// Removes what dead processes left in a folder. What cannot be removed stays.
 void remove_leftovers(const std::filesystem::path& folder);
 

@@ -36,7 +36,7 @@ public:
 
     std::size_t at(int iy, int ix) const {
         const CellVerdict& cell = result_.cells[index_of(result_.study, {direction_, iy, ix})];
-        return number_of({cell.status, cell.category});
+        return number_of({cell.status, cell.category, cell.quiet});
     }
 
 private:

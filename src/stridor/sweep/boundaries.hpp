@@ -13,7 +13,8 @@
 /// and is taken to cross their connection in the middle. Within each square of four neighbouring cells the crossings of
 /// one pair of verdicts are joined (marching squares); where three or four verdicts meet in a square, their lines meet
 /// in its middle. Where two areas touch across a square's diagonals, the one whose verdict comes later in the order
-/// none, squeal, squeak, creak, undecided, then without a category, is taken to hold together.
+/// none, squeal, squeak, creak, undecided, then without a category, then locks, is taken to hold together. Slides and
+/// sticks are both `none`, and no boundary passes between them.
 namespace stridor::sweep {
 
 /// Between which neighbours a boundary passes.
@@ -44,7 +45,7 @@ inline constexpr std::array<std::string_view, 2> line_form_names{"open", "closed
 /// One line between two verdicts.
 struct Boundary {
     std::size_t direction = 0;  // into study.directions
-    std::string_view first;     // verdict on one side: a category, or the status of cells without one
+    std::string_view first;     // verdict on one side, of `verdict_words`
     std::string_view second;    // on the other; the two stand in the order above
     LineForm form = LineForm::open;
     std::vector<BoundaryVertex> vertices;

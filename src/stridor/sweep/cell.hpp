@@ -41,6 +41,7 @@ inline constexpr std::array<std::string_view, 3> agreement_names{"agree", "diffe
 struct StartVerdict {
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
+    classification::Quiet quiet = classification::Quiet::no;                  // why, if the category is none
     bool operator==(const StartVerdict&) const = default;
 };
 

@@ -89,7 +89,7 @@ std::vector<double> told_apart(std::vector<double> values) {
 std::vector<double> beat_intervals(const record::Tally& tally) {
     std::vector<double> intervals;
     for (const record::ContactTally& contact : tally.contacts) {
-        const analysis::Alternation alternation = analysis::alternation(contact);
+        const analysis::Alternation alternation = analysis::alternation(contact.changes);
         if (alternation.intervals == 0) continue;
         const std::vector<double>& times = contact.changes[record::change_kind(alternation.from, alternation.to)].times;
         for (std::size_t k = 1; k < times.size(); ++k)
@@ -161,7 +161,8 @@ std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions
     std::vector<crew::Task> tasks;
     for (std::size_t index = 0; index < cells.size(); ++index) {
         // a joint that is carried along has no motion of its own
-        if (result.cells[index].quiet == classification::Quiet::sticks) continue;
+        const classification::Quiet quiet = result.cells[index].quiet;
+        if (quiet == classification::Quiet::sticks || quiet == classification::Quiet::locks) continue;
         const std::optional<std::string> text = options.kept == nullptr ? std::nullopt : options.kept->find(index);
         if (std::optional<DiagramCell> kept = text ? unpacked_diagram_cell(*text) : std::nullopt)
             cells[index] = std::move(*kept);

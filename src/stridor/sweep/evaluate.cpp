@@ -5,6 +5,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/failure.hpp"
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/initial_state.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/rubbing_system.hpp"
@@ -56,6 +58,18 @@ record::Tally tally_of(const Case& c, const Motion& motion, Direction direction)
 
 }  // namespace
 
+bool can_begin(const Case& c) {
+    if (c.run.initial != parameters::Initial::sliding || !parameters::findings(c).empty()) return true;
+    try {
+        integration::initial_state(c, model::structure_of(c),
+                                   integration::ImposedMotion(c.drive, 1.0).at(0.0).velocity);
+        return true;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::numerical) throw;
+        return false;
+    }
+}
+
 std::optional<Attempt> attempt(const Case& c, const record::Request& request, std::stop_token stop,
                                integration::Workspace& workspace) {
     const std::vector<parameters::Finding> findings = parameters::findings(c);
@@ -79,8 +93,8 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.message = attempt.message;
     if (attempt.status != Status::done) return cell;
 
-    const classification::Verdict verdict =
-        classification::classify_phase(tally_of(c, attempt.motion, direction), c.verdict);
+    const classification::Verdict verdict = classification::classify_phase(tally_of(c, attempt.motion, direction),
+                                                                           c.verdict, classification::contact_names(c));
     cell.category = verdict.category;
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
@@ -102,15 +116,28 @@ std::vector<Cell> evaluate_start(const Case& c, std::span<const Direction> direc
     return cells;
 }
 
+// which starts a case has; shape [start]
+std::vector<bool> beginning(std::size_t starts, const std::function<Case(std::size_t start)>& case_of) {
+    std::vector<bool> begins;
+    for (std::size_t start = 0; start < starts; ++start)
+        begins.push_back(can_begin(case_of(start)));
+    return begins;
+}
+
 }  // namespace
 
 std::vector<Cell> evaluate_starts(std::size_t starts, std::span<const Direction> directions,
                                   const std::function<Case(std::size_t start)>& case_of, const std::stop_token& stop,
                                   integration::Workspace& workspace) {
     if (starts == 0) return evaluate_start(case_of(0), directions, stop, workspace);
+    const std::vector<bool> begins = beginning(starts, case_of);
+    const std::size_t first = static_cast<std::size_t>(std::find(begins.begin(), begins.end(), true) - begins.begin());
+    std::vector<Cell> of_first = evaluate_start(case_of(first < starts ? first : 0), directions, stop, workspace);
+    if (of_first.empty()) return {};
     std::vector<std::vector<Cell>> by_start(directions.size());  // shape [direction][start]
     for (std::size_t start = 0; start < starts; ++start) {
-        std::vector<Cell> cells = evaluate_start(case_of(start), directions, stop, workspace);
+        const bool is_own = begins[start] && start != first;
+        std::vector<Cell> cells = is_own ? evaluate_start(case_of(start), directions, stop, workspace) : of_first;
         if (cells.empty()) return {};
         for (std::size_t direction = 0; direction < cells.size(); ++direction)
             by_start[direction].push_back(std::move(cells[direction]));

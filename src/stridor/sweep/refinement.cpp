@@ -176,6 +176,16 @@ private:
 
 }  // namespace
 
+int sound_refinement(const Study& study, int asked) {
+    constexpr int fewest_blocks = 7;
+    if (asked < 0 || asked > most_refinement) return asked;  // refused with the rest
+    const int intervals = std::min(study.x.points, study.y.points) - 1;
+    int refinement = 0;
+    while (refinement < asked && intervals >> (refinement + 1) >= fewest_blocks)
+        ++refinement;
+    return refinement;
+}
+
 int mark_of(const Study& study, const Cell& cell) {
     if (study.refine == 0) return 0;
     using classification::category_names;
@@ -188,6 +198,7 @@ int mark_of(const Study& study, const Cell& cell) {
         if (figure_of(cell, "growth_rate") > 0.0) stability = figure_of(cell, "mode_frequency") > 0.0 ? 2 : 1;
         shown = statuses + static_cast<int>(cell.category);
         if (cell.quiet == classification::Quiet::sticks) shown = statuses + static_cast<int>(category_names.size());
+        if (cell.quiet == classification::Quiet::locks) shown = statuses + static_cast<int>(category_names.size()) + 1;
     }
     return (shown * agreements + static_cast<int>(cell.agreement)) * stabilities + stability;
 }

@@ -31,6 +31,12 @@ inline constexpr int unknown_mark = -1;
 /// computed completely.
 int mark_of(const Study& study, const Cell& cell);
 
+/// Returns how often the grid of a chart may be halved [1], at most as often as is asked.
+///
+/// Seven blocks are left along each axis, as of 64 by 64 cells in the first look. What lies between four corners that
+/// agree is hardly looked at, and a chart of 8 by 8 cells would be one such block.
+int sound_refinement(const Study& study, int asked);
+
 /// How far the computed cells carry.
 struct Refinement {
     std::vector<std::size_t> missing;  // runs to compute next, by the index of their first cell; empty: none is missing

@@ -63,7 +63,7 @@ Study weatherstrip_shaken() {
     c.drive.frequency = 12.0;
     c.run.duration = 2.0;
     make_lip(c);
-    c.contact = Contact{.preload = 0.3, .static_friction = 0.7, .kinetic_friction = 0.5};
+    c.contact = Contact{.preload = 0.42, .static_friction = 0.7, .kinetic_friction = 0.6};
     return soft_plane(c, rising_by_factors("contact.preload", 0.1, 2.0),
                       rising_evenly("contact.kinetic_friction", 0.1, 0.7));
 }

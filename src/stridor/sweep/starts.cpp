@@ -13,20 +13,25 @@ namespace stridor::sweep {
 namespace {
 
 using classification::Category;
+using classification::Quiet;
 
-int rank(const StartVerdict& verdict) {
-    const bool is_done = verdict.status == Status::done;
-    if (is_done && verdict.category == Category::none) return 0;
-    if (!is_done) return 1;
-    return 1 + classification::loudness(verdict.category);
-}
-
-bool is_quiet(const StartVerdict& verdict) {
+bool is_silent(const StartVerdict& verdict) {
     return verdict.status == Status::done && verdict.category == Category::none;
 }
 
+bool is_quiet(const StartVerdict& verdict) {
+    return is_silent(verdict) && verdict.quiet != Quiet::locks;
+}
+
 bool is_noisy(const StartVerdict& verdict) {
-    return verdict.status == Status::done && !is_quiet(verdict) && verdict.category != Category::undecided;
+    return verdict.status == Status::done && !is_silent(verdict) && verdict.category != Category::undecided;
+}
+
+// how bad it is: slides, sticks, locks, no result, and the others by what speaks for noise
+int rank(const StartVerdict& verdict) {
+    constexpr int no_result = 3;
+    if (is_silent(verdict)) return verdict.quiet == Quiet::locks ? 2 : verdict.quiet == Quiet::sticks ? 1 : 0;
+    return verdict.status == Status::done ? no_result + classification::loudness(verdict.category) : no_result;
 }
 
 }  // namespace
@@ -36,6 +41,7 @@ std::span<const std::string_view> start_names() {
 }
 
 std::size_t number_of(const StartVerdict& verdict) {
+    if (is_silent(verdict) && !is_quiet(verdict)) return verdict_words.size() - 1;
     return verdict.status == Status::done
                ? static_cast<std::size_t>(verdict.category)
                : classification::category_names.size() + static_cast<std::size_t>(verdict.status) - 1;
@@ -43,7 +49,9 @@ std::size_t number_of(const StartVerdict& verdict) {
 
 StartVerdict verdict_of(std::size_t number) {
     constexpr std::size_t categories = classification::category_names.size();
+    if (number == 0) return {Status::done, Category::none, Quiet::slides};
     if (number < categories) return {Status::done, static_cast<Category>(number)};
+    if (number == verdict_words.size() - 1) return {Status::done, Category::none, Quiet::locks};
     return {static_cast<Status>(number - categories + 1), Category::undecided};
 }
 
@@ -51,7 +59,7 @@ std::string_view word(const StartVerdict& verdict) {
     return verdict_words[number_of(verdict)];
 }
 
-std::size_t loudest(std::span<const StartVerdict> verdicts) {
+std::size_t worst(std::span<const StartVerdict> verdicts) {
     STRIDOR_EXPECT(!verdicts.empty());
     const auto first = std::max_element(verdicts.begin(), verdicts.end(),
                                         [](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -68,14 +76,14 @@ Agreement agreement(std::span<const StartVerdict> verdicts) {
 }
 
 std::size_t shown_start(const Cell& cell) {
-    return cell.starts.empty() ? 0 : loudest(cell.starts);
+    return cell.starts.empty() ? 0 : worst(cell.starts);
 }
 
 Cell joined(std::vector<Cell> by_start) {
     std::vector<StartVerdict> verdicts;
     for (const Cell& cell : by_start)
-        verdicts.push_back({cell.status, cell.category});
-    Cell cell = std::move(by_start[loudest(verdicts)]);
+        verdicts.push_back({cell.status, cell.category, cell.quiet});
+    Cell cell = std::move(by_start[worst(verdicts)]);
     cell.agreement = agreement(verdicts);
     cell.starts = std::move(verdicts);
     return cell;

@@ -12,34 +12,36 @@
 /// Multistability: one cell run from several starts.
 ///
 /// A contact may have several motions, and which one it ends in depends on how it began. A cell shows the motion of its
-/// loudest start, by what speaks for noise: none, then no result, undecided, creak, squeak, squeal; of equals the first
-/// start. So a cell is `none` only where every start is. The order of the noises is one of evidence, from the motion
-/// whose pattern is least established to the most regular one; it is not one of sound pressure.
+/// worst start: slides, then sticks, locks, no result, undecided, creak, squeak, squeal; of equals the first start. So
+/// a cell is quiet only where every start is. Whatever sums up starts or directions goes by this order. That of the
+/// noises is one of evidence, from the motion whose pattern is least established to the most regular one; it is not one
+/// of sound pressure.
 namespace stridor::sweep {
 
 /// The names of starts, by parameters::Initial: the choices of run.initial.
 std::span<const std::string_view> start_names();
 
-/// The words of all verdicts: the categories, then the statuses of cells without one.
+/// The words of all verdicts: the categories, the statuses of cells without one, and `locks`, which is no quiet `none`.
 inline constexpr auto verdict_words = [] {
     using classification::category_names;
-    std::array<std::string_view, category_names.size() + status_names.size() - 1> words{};
+    std::array<std::string_view, category_names.size() + status_names.size()> words{};
     std::copy(category_names.begin(), category_names.end(), words.begin());
     std::copy(status_names.begin() + 1, status_names.end(), words.begin() + category_names.size());
+    words.back() = classification::name(classification::Quiet::locks);
     return words;
 }();
 
 /// The number of a verdict's word in `verdict_words`.
 std::size_t number_of(const StartVerdict& verdict);
 
-/// The verdict with this word.
+/// The verdict with this word; a `none` slides.
 StartVerdict verdict_of(std::size_t number);
 
-/// "squeal", or the status where there is no category: "failed".
+/// "squeal", "locks", or the status where there is no category: "failed".
 std::string_view word(const StartVerdict& verdict);
 
-/// The first of the loudest verdicts.
-std::size_t loudest(std::span<const StartVerdict> verdicts);
+/// The first of the worst verdicts.
+std::size_t worst(std::span<const StartVerdict> verdicts);
 
 /// How the verdicts of one cell, one at least, stand to each other.
 Agreement agreement(std::span<const StartVerdict> verdicts);
@@ -47,7 +49,7 @@ Agreement agreement(std::span<const StartVerdict> verdicts);
 /// The start of which a cell has its figures: an index into study.starts, 0 if it has none.
 std::size_t shown_start(const Cell& cell);
 
-/// A cell from the same cell run from each start (at least one): the loudest one's figures, and the verdicts of all.
+/// A cell from the same cell run from each start (at least one): the worst one's figures, and the verdicts of all.
 Cell joined(std::vector<Cell> by_start);
 
 }  // namespace stridor::sweep

@@ -12,6 +12,7 @@
 #include "stridor/parameters/resolution.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -314,7 +315,7 @@ Study preview(Study study) {
     constexpr double periods = 2.0;
     for (Axis* axis : {&study.x, &study.y})
         axis->points = std::min(axis->points, points);
-    if (!has_one_axis(study)) study.refine = std::max(study.refine, refinement);
+    if (!has_one_axis(study)) study.refine = std::max(study.refine, sound_refinement(study, refinement));
     if (is_constant(study)) {
         study.base.run.duration *= shorter;
         study.base.run.window = 0.5 * study.base.run.duration;

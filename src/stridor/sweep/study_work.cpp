@@ -28,6 +28,7 @@ void add(Packing& packing, const Cell& cell) {
     for (const StartVerdict& start : cell.starts) {
         packing.add(start.status);
         packing.add(start.category);
+        packing.add(start.quiet);
     }
     packing.add(static_cast<std::uint64_t>(cell.figures.size()));
     for (const double figure : cell.figures)
@@ -36,15 +37,18 @@ void add(Packing& packing, const Cell& cell) {
 
 Cell unpacked_cell(Unpacking& unpacking) {
     constexpr std::size_t categories = classification::category_names.size();
+    constexpr std::size_t silences = classification::quiet_names.size();
     Cell cell;
     cell.status = unpacking.kind<Status>(status_names.size());
     cell.category = unpacking.kind<Category>(categories);
-    cell.quiet = unpacking.kind<classification::Quiet>(classification::quiet_names.size());
+    cell.quiet = unpacking.kind<classification::Quiet>(silences);
     cell.agreement = unpacking.kind<Agreement>(agreement_names.size());
     cell.message = unpacking.words();
     for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left) {
-        const auto status = unpacking.kind<Status>(status_names.size());
-        cell.starts.push_back({status, unpacking.kind<Category>(categories)});
+        StartVerdict& start = cell.starts.emplace_back();
+        start.status = unpacking.kind<Status>(status_names.size());
+        start.category = unpacking.kind<Category>(categories);
+        start.quiet = unpacking.kind<classification::Quiet>(silences);
     }
     const std::uint64_t figures = unpacking.count();
     if (figures == cell_figures().size()) cell.figures.reserve(figures);

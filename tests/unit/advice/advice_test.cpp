@@ -50,11 +50,19 @@ const Advice& squeal_advice() {
     return advice;
 }
 
-// the categories of a case by phase, without anything of `sweep`
-std::vector<Category> categories(const Case& c) {
+// the loudest categories of a case by phase over its starts, without anything of `sweep`
+std::vector<Category> categories(Case c) {
     std::vector<Category> all;
-    for (const record::Tally& tally : integration::simulate(c).record.phases)
-        all.push_back(classification::classify(analysis::evidence(tally, 0), c.verdict).category);
+    for (const parameters::Initial start :
+         {parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding}) {
+        c.run.initial = start;
+        const auto tallies = integration::simulate(c).record.phases;
+        all.resize(tallies.size(), Category::none);
+        for (std::size_t k = 0; k < tallies.size(); ++k) {
+            const Category found = classification::classify(analysis::evidence(tallies[k], 0), c.verdict).category;
+            if (classification::loudness(found) > classification::loudness(all[k])) all[k] = found;
+        }
+    }
     return all;
 }
 
@@ -115,7 +123,7 @@ TEST(Margins, NameTheNearestQuietValue) {
     const Advice& advice = squeal_advice();
     const VerdictChange* quiet = nearest_quiet(advice.space, advice.margins[1]);
     ASSERT_NE(quiet, nullptr);
-    EXPECT_NEAR(quiet->value, 0.4137, 3e-3);
+    EXPECT_NEAR(quiet->value, 0.4096, 3e-3);  // from rest alone 0.4137
     EXPECT_EQ(categories(with(squeal, "contact.kinetic_friction", quiet->value)),
               (std::vector{Category::none, Category::none}));
 }
@@ -205,7 +213,7 @@ TEST(Advice, PrefersAContactThatSlipsToOneThatSticks) {
     ASSERT_EQ(stuck.changes.size(), 1U);
     EXPECT_TRUE(is_quiet(stuck.changes.front().verdict));
     EXPECT_FALSE(slips_quietly(stuck.changes.front().verdict));
-    options.over.push_back({"contact.preload"});
+    options.over.push_back({"contact.preload", 2.0, 4000.0});
     for (const DesignChange& change : advise(creak, options).changes)
         EXPECT_TRUE(slips_quietly(change.verdict));
 }
@@ -233,16 +241,18 @@ TEST(Advice, TellsItsProgress) {
 }
 
 TEST(IsQuiet, IsNotWhatCouldNotBeComputedOrDecided) {
-    const sweep::StartVerdict none{sweep::Status::done, Category::none};
-    EXPECT_TRUE(is_quiet({{none, none}, {Quiet::slides, Quiet::sticks}}));
-    EXPECT_FALSE(slips_quietly({{none, none}, {Quiet::slides, Quiet::sticks}}));
+    const sweep::StartVerdict slides{sweep::Status::done, Category::none, Quiet::slides};
+    const sweep::StartVerdict sticks{sweep::Status::done, Category::none, Quiet::sticks};
+    EXPECT_TRUE(is_quiet({{slides, sticks}}));
+    EXPECT_FALSE(slips_quietly({{slides, sticks}}));
+    EXPECT_FALSE(is_quiet({{slides, {sweep::Status::done, Category::none, Quiet::locks}}}));
     for (const sweep::Status status :
          {sweep::Status::invalid, sweep::Status::step_limit, sweep::Status::diverged, sweep::Status::failed}) {
-        const DesignVerdict verdict{{none, {status, Category::none}}, {Quiet::slides, Quiet::no}};
+        const DesignVerdict verdict{{slides, {status, Category::none}}};
         EXPECT_FALSE(is_quiet(verdict));
         EXPECT_FALSE(is_noisy(verdict));
     }
-    const DesignVerdict undecided{{{sweep::Status::done, Category::undecided}}, {Quiet::no}};
+    const DesignVerdict undecided{{{sweep::Status::done, Category::undecided}}};
     EXPECT_FALSE(is_quiet(undecided));
     EXPECT_FALSE(is_noisy(undecided));
     EXPECT_FALSE(is_quiet({}));

@@ -77,7 +77,48 @@ TEST(DesignSpace, HoldsWhatADesignerVaries) {
     EXPECT_EQ(std::find(keys.begin(), keys.end(), "run.duration"), keys.end());
     EXPECT_EQ(space.origin.size(), keys.size());
     EXPECT_EQ(space.phases, (std::vector{record::Phase::going, record::Phase::coming}));
-    EXPECT_EQ(design_space(constant_drive(0.1)).phases, std::vector{record::Phase::all});
+}
+
+// whoever uses a part moves it both ways, and nobody knows how that begins
+TEST(DesignSpace, IsJudgedBothWaysAndFromEveryStart) {
+    const std::vector both{record::Phase::going, record::Phase::coming};
+    for (const double velocity : {0.1, -0.1}) {
+        const DesignSpace space = design_space(constant_drive(velocity));
+        EXPECT_EQ(space.phases, both);
+        ASSERT_EQ(space.runs.size(), 6U);
+        double going = 0.0, coming = 0.0;
+        for (const DesignRun& run : space.runs) {
+            const Case c = case_of(space.base, run);
+            EXPECT_EQ(c.run.initial, run.start);
+            (c.drive.velocity > 0.0 ? going : coming) += c.drive.velocity;
+        }
+        EXPECT_DOUBLE_EQ(going, 0.3);
+        EXPECT_DOUBLE_EQ(coming, -0.3);
+    }
+    EXPECT_EQ(design_space(squeal_case).runs.size(), 3U) << "one run goes and comes";
+    EXPECT_FALSE(design_space(squeal_case).runs.front().direction);
+}
+
+TEST(DesignSpace, BeginsWithTheCasesOwnStartAndLeavesOutWhatItDoesNotHave) {
+    Case c = constant_drive(0.1);
+    c.run.initial = parameters::Initial::stuck;
+    EXPECT_EQ(starts_of(design_space(c)).front(), parameters::Initial::stuck);
+    EXPECT_EQ(starts_of(design_space(c)).size(), 3U);
+    c.drive.kind = DriveKind::trapezoidal;
+    const std::vector<parameters::Initial> starts = starts_of(design_space(c));
+    EXPECT_EQ(starts, (std::vector{parameters::Initial::stuck, parameters::Initial::rest})) << "it begins at V = 0";
+}
+
+TEST(DesignSpace, IsJudgedByWhatIsAskedForAlone) {
+    const AskedRuns asked{{parameters::Direction::coming}, {parameters::Initial::rest}};
+    const DesignSpace space = design_space(constant_drive(0.1), {}, asked);
+    EXPECT_EQ(space.phases, std::vector{record::Phase::coming});
+    ASSERT_EQ(space.runs.size(), 1U);
+    EXPECT_LT(case_of(space.base, space.runs.front()).drive.velocity, 0.0);
+    EXPECT_EQ(design_space(squeal_case, {}, asked).phases, std::vector{record::Phase::coming});
+    Case still = constant_drive(0.1);
+    still.drive.kind = DriveKind::trapezoidal;
+    EXPECT_EQ(thrown_by([&] { design_space(still, {}, {{}, {parameters::Initial::sliding}}); }).kind, ErrorKind::input);
 }
 
 TEST(DesignSpace, LeavesTheDriveAloneUnlessAskedForIt) {
@@ -102,12 +143,22 @@ TEST(DesignSpace, KeepsTheBitsOfWhatStays) {
 TEST(DesignSpace, IsWidenedToHoldTheCase) {
     Case c = squeal_case;
     c.contact.preload = 9000.0;
-    EXPECT_EQ(only_parameter(c, {"contact.preload"}).to, 9000.0);
+    EXPECT_EQ(only_parameter(c, {"contact.preload"}).to, 90000.0);
     EXPECT_EQ(only_parameter(c, {"contact.preload", 1.0, 2.0}).to, 9000.0);
     c.plate.damping = 0.0;
     const DesignParameter damping = only_parameter(c, {"plate.damping"});
     EXPECT_EQ(damping.from, 0.0);
     EXPECT_EQ(damping.scale, sweep::Scale::linear);  // zero has no logarithm
+}
+
+// a lip a thousand times softer than Table 1 is looked at below its own stiffness, too
+TEST(DesignSpace, LiesAroundTheCase) {
+    Case c = squeal_case;
+    c.joint.flexural_stiffness = 1500.0;
+    const DesignParameter stiffness = only_parameter(c, {"joint.flexural_stiffness"});
+    EXPECT_DOUBLE_EQ(stiffness.from, 150.0);
+    EXPECT_DOUBLE_EQ(stiffness.to, 15000.0);
+    EXPECT_NEAR(share_of(stiffness, 1500.0), 0.5, 1e-12);
 }
 
 TEST(DesignSpace, KeepsTheSignOfAVelocity) {

@@ -229,6 +229,25 @@ TEST(FrictionTrace, RefusesWhatIsNoTrace) {
     EXPECT_NO_THROW(friction_trace({1000.0, force, {}, {}, 10.0}));
 }
 
+// newtons for kilonewtons, a preload of 10 mN for 10 N, a reading of an overload
+TEST(FrictionTrace, RefusesCoefficientsThatNothingHas) {
+    std::vector<double> force(1000, 3.0);
+    FrictionMeasurement measurement{.rate = 1000.0, .force = force, .preload = 10.0};
+    EXPECT_NEAR(friction_trace(measurement).all.kinetic_friction.value, 0.3, 1e-12);
+    for (const auto& [factor, preload] : {std::pair{1000.0, 10.0}, {1.0, 0.01}, {1e29, 10.0}}) {
+        force.assign(1000, 3.0 * factor);
+        measurement.preload = preload;
+        try {
+            friction_trace(measurement);
+            ADD_FAILURE() << "nothing was thrown";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            EXPECT_NE(error.problem().why.find("none is beyond 20"), std::string::npos);
+            EXPECT_NE(error.problem().suggestion.find("preload"), std::string::npos);
+        }
+    }
+}
+
 TEST(FrictionTrace, NamesTheConditionsOfVda230_206) {
     EXPECT_EQ(vda_condition(10.0, 4e-3), "VDA 230-206, 10 N, 4 mm/s");
     EXPECT_EQ(vda_condition(40.5, 1.05e-3), "VDA 230-206, 40 N, 1 mm/s");

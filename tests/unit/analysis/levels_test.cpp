@@ -52,6 +52,17 @@ TEST(Levels, AtRestAreMinusInfinity) {
     EXPECT_EQ(levels(tally).plate.decibels, -std::numeric_limits<double>::infinity());
 }
 
+// 1 nm/s is far below hearing, and what rounding leaves is no level
+TEST(Levels, BelowZeroDecibelsAreNotTold) {
+    record::Tally tally;
+    tally.vibration = {{}, {}, {1.0001e-18, 1e-18}};
+    tally.vibration_time = 1.0;
+    EXPECT_NEAR(levels(tally).plate.decibels, 0.0, 1e-3);
+    tally.vibration.back().square_time = 0.9999e-18;
+    EXPECT_EQ(levels(tally).plate.decibels, -std::numeric_limits<double>::infinity());
+    EXPECT_NEAR(levels(tally).plate.rms, 1e-9, 1e-13);
+}
+
 TEST(Levels, OfNoJudgedTimeAreUnknown) {
     record::Tally tally;
     tally.vibration.resize(3);

@@ -43,6 +43,14 @@ TEST(Process, ThatDoesNotExistIsAnError) {
     EXPECT_TRUE(thrown.says("no-such-program-of-ours could not be started"));
 }
 
+TEST(Process, ThatDoesNotEndInTimeIsEnded) {
+    const support::Thrown thrown = thrown_by([] {
+        run_process({"sh", "-c", "exec sleep 1000"}, std::chrono::seconds(0));
+    });
+    EXPECT_EQ(thrown.kind, ErrorKind::io);
+    EXPECT_TRUE(thrown.says("sh did not end within 0 s"));
+}
+
 TEST(IsOnPath, KnowsTheShell) {
     EXPECT_TRUE(is_on_path("sh"));
     EXPECT_FALSE(is_on_path("no-such-program-of-ours"));

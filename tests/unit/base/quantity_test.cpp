@@ -150,6 +150,8 @@ TEST(QuantityError, NamesBothDimensionsWhenTheyDiffer) {
 TEST(QuantityError, SuggestsTheNearestUnit) {
     EXPECT_TRUE(refusal("20 degg", "deg").says("Did you mean \"deg\"?"));
     EXPECT_TRUE(refusal("20 furlongs", "m").says("Give it in m. Known: m, g"));
+    for (const char* unit : {"lbf", "kgf", "psi", "bar", "in", "ft"})
+        EXPECT_TRUE(refusal("20 furlongs", "m").says(std::string(", ") + unit + ",")) << unit;
     EXPECT_TRUE(refusal("20 N*s/mmm", "N*s/m").says("Did you mean \"N*s/mm\"?"));
 }
 

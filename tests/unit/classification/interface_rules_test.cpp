@@ -64,6 +64,20 @@ TEST(InterfaceRules, CallQuietOnlyWhatIsQuietInEachLoadedContact) {
     EXPECT_TRUE(noisy.differs);
 }
 
+TEST(InterfaceRules, LockWhereOneLoadedContactDoes) {
+    record::ContactTally locking = node(0.0, 1.0);
+    locking.ending.outlook.future = record::Future::sticks;
+    locking.ending.outlook.drag = {8.0, 58.0, 0.05, 1e3};
+    const InterfaceVerdict verdict = classify_interface(nodes_phase({node(1.0, 0.0), locking}), 0, {});
+    EXPECT_EQ(verdict.whole.category, Category::none);
+    EXPECT_EQ(verdict.whole.quiet, Quiet::locks);
+    const InterfaceVerdict named =
+        classify_interface(nodes_phase({node(1.0, 0.0), locking}), 0, {}, {"node 7", "node 8"});
+    EXPECT_TRUE(named.whole.reasons.front().starts_with("node 8 locks: ")) << named.whole.reasons.front();
+    EXPECT_EQ(verdict.whole.reasons.front(),
+              "contact 2 locks: N rises from 8 N to 58 N over 50 mm and goes on by 1 N/mm (proven)");
+}
+
 TEST(InterfaceRules, GiveUnloadedContactsNoVerdict) {
     record::ContactTally touching = node(0.5, 0.2, 40, 0.01, 0.5);
     touching.load.normal_impulse = 0.01;
@@ -101,6 +115,30 @@ TEST(InterfaceRules, CallSlipOfSingleNodesNoCreak) {
     EXPECT_NEAR(micro.free_together, 0.2, 1e-15);
     EXPECT_EQ(micro.whole.reasons.front(), "contacts slip one by one, 20 % of their load at once: no creak");
     EXPECT_EQ(micro.contacts.front()->category, Category::creak);  // by itself
+}
+
+TEST(InterfaceRules, LeaveOpenWhatFewReleasesTellOfTheLoadFreeAtOnce) {
+    const auto whole_of = [](int count, double together, const parameters::Thresholds& thresholds) {
+        record::Tally phase = nodes_phase(std::vector<record::ContactTally>(5, node(0.1, 0.9, count)));
+        for (std::size_t i = 0; i < 5; ++i)
+            for (std::size_t j = 0; j < 5; ++j)  // itself is a fifth of the load
+                phase.interfaces[0].free_together[5 * i + j] = 0.1 * (i == j ? 1.0 : (together - 0.2) / 0.8);
+        return classify_interface(phase, 0, thresholds).whole;
+    };
+    // the largest standard error of 25 releases is 0.098
+    const Verdict open = whole_of(25, 0.4, {});
+    EXPECT_EQ(open.category, Category::undecided);
+    EXPECT_EQ(open.reasons.back(),
+              "40 % of the load of its contacts is free at once, give or take 10 %: too near to "
+              "50 % to tell a release from slip one by one; use a longer run.window");
+    EXPECT_EQ(whole_of(25, 0.6, {}).category, Category::undecided);
+    EXPECT_EQ(whole_of(25, 0.8, {}).category, Category::creak);
+    EXPECT_EQ(whole_of(25, 0.25, {}).category, Category::squeal);
+    EXPECT_EQ(whole_of(400, 0.4, {}).category, Category::squeal);
+    EXPECT_EQ(whole_of(400, 0.6, {}).category, Category::creak);
+    parameters::Thresholds bold;
+    bold.least_distance = 0.0;
+    EXPECT_EQ(whole_of(25, 0.4, bold).category, Category::squeal);
 }
 
 TEST(InterfaceRules, SpeakForThePhase) {

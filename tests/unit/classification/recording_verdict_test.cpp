@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,33 @@ TEST(RecordingVerdict, OfAMotionIsThatOfTheRules) {
     EXPECT_TRUE(verdict.passages.empty());
     EXPECT_EQ(verdict.probability, 0.0);
     EXPECT_FALSE(verdict.segments.front().verdict.margins.empty());
+}
+
+// a few samples of an impulse, and nothing above half the rate: white noise of any rate is no creak there
+TEST(RecordingVerdict, OfANarrowBandIsASquealOrUndecided) {
+    for (const double rate : {1000.0, 2000.0, 4000.0, 7999.0, 8000.0, 16000.0})
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            signal::Signal silence{rate, "m/s^2", std::vector<double>(static_cast<std::size_t>(2.0 * rate))};
+            silence.samples.front() = 1e-9;
+            const sound::SoundAnalysis noise = analysed({signal::with_noise(silence, -100.0, seed)}, "m/s^2");
+            const RecordingVerdict verdict = verdict_on(noise, {});
+            EXPECT_EQ(verdict.category, rate < 8000.0 ? Category::undecided : Category::none)
+                << rate << " Hz, " << seed << ": " << verdict.reasons.front();
+        }
+    const auto at_4_kHz = [](double value(double)) {
+        signal::Signal signal{4000.0, "m/s", {}};
+        for (std::size_t n = 0; n < 4000; ++n)
+            signal.samples.push_back(value(static_cast<double>(n) / 4000.0));
+        return verdict_on(analysed({signal}, "m/s"), {});
+    };
+    EXPECT_EQ(at_4_kHz([](double t) { return support::sine(700.0 * t); }).category, Category::squeal);
+    const RecordingVerdict impulses = at_4_kHz([](double t) {
+        const double since = std::fmod(t, 0.05);
+        return std::exp(-since / 0.003) * support::sine(700.0 * since);
+    });
+    EXPECT_EQ(impulses.category, Category::undecided);
+    EXPECT_NE(impulses.reasons.back().find("creak is a guess: 4000 samples a second"), std::string::npos)
+        << impulses.reasons.back();
 }
 
 TEST(RecordingVerdict, NamesTheNoiseAndNotTheMajority) {
@@ -86,6 +115,29 @@ TEST(RecordingVerdict, TakesWhatIsFarBelowForBackground) {
     const RecordingVerdict verdict = verdict_on(analysed({support::squeal(3.0), softer(support::creak(), 1e-4)}), {});
     EXPECT_EQ(verdict.category, Category::squeal);
     EXPECT_EQ(verdict.passages.back().category, Category::none);
+}
+
+// an accelerometer on its side: 9.81 m/s^2 and noise of 0.01 m/s^2
+TEST(RecordingVerdict, DoesNotHearTheGravityThatARecordingBeginsWith) {
+    signal::Signal still = softer(support::hiss(2.0), 0.1);
+    for (double& sample : still.samples)
+        sample += 9.81;
+    const sound::SoundAnalysis analysis = analysed({still}, "m/s^2");
+    EXPECT_NEAR(signal::level_of(analysis.mean_square, 1e-6), 80.0, 0.1);
+    EXPECT_NEAR(analysis.level.greatest, 80.0, 1.0);
+    EXPECT_LT(analysis.peak, 0.1);
+    EXPECT_EQ(verdict_on(analysis, {}).category, Category::none);
+}
+
+TEST(RecordingVerdict, IsOfTheChannelThatIsLoudestAboveTheDrive) {
+    signal::Signal tone = softer(support::squeal(2.0), 0.1);
+    signal::Signal swing = tone;
+    for (std::size_t k = 0; k < swing.samples.size(); ++k)
+        swing.samples[k] = 9.81 + 3.0 * support::sine(2.0 * static_cast<double>(k) / swing.rate);
+    tone.unit = swing.unit = "m/s^2";
+    const std::vector<sound::SoundAnalysis> channels = sound::analyse(*signal::source_of({swing, tone}));
+    EXPECT_EQ(sound::loudest(channels), 1U);
+    EXPECT_EQ(verdict_on(channels[1], {}).category, Category::squeal);
 }
 
 TEST(RecordingVerdict, OfSilenceIsNone) {

@@ -147,20 +147,36 @@ TEST_F(Led, DoesNotWaitForEverForWhoDoesNotStop) {
 
 TEST_F(Led, SaysWhichRankIsSilent) {
     RankCrew led = crew();
+    // it looks for letters all the time
+    const auto pass = [&](int seconds) {
+        for (int second = 0; second < seconds; ++second) {
+            now_ += std::chrono::seconds(1);
+            taken(led, std::chrono::milliseconds(1));
+        }
+    };
     said_.push_back(Hello{"n1", 1});
     taken(led, std::chrono::milliseconds(1));
     led.give(crew::numbered_tasks(led.appetite(100)));
-    now_ += std::chrono::seconds(59);
+    pass(59);
     said_.push_back(Alive{});
-    taken(led, std::chrono::milliseconds(1));
-    now_ += std::chrono::seconds(59);
-    taken(led, std::chrono::milliseconds(1));
+    pass(60);
     EXPECT_FALSE(led.has_stopped());
-    now_ += std::chrono::seconds(2);
-    taken(led, std::chrono::milliseconds(1));
+    pass(2);
     EXPECT_TRUE(led.has_stopped());
     EXPECT_THROW(led.rethrow(), SilentRank);
     EXPECT_TRUE(thrown_by([&] { led.rethrow(); }).says("silent for 60 s"));
+}
+
+TEST_F(Led, BlamesNobodyForTheTimeInWhichItStoodStillItself) {
+    RankCrew led = crew();
+    said_.push_back(Hello{"n1", 1});
+    taken(led, std::chrono::milliseconds(1));
+    led.give(crew::numbered_tasks(led.appetite(100)));
+    // stopped for an hour: what the others said meanwhile is not here yet when it wakes
+    now_ += std::chrono::hours(1);
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_FALSE(led.has_stopped());
+    EXPECT_NO_THROW(led.rethrow());
 }
 
 }  // namespace

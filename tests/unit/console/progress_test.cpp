@@ -21,12 +21,26 @@ TEST(ProgressLine, TellsShareRateAndTimeLeft) {
     EXPECT_EQ(line, "[==========          ] 50/100 cells  50 %  2 cells/s  0:25 left  squeal 50");
 }
 
+TEST(ProgressLine, SaysNoTimeLeftBeforeAnythingIsDone) {
+    sweep::Progress progress;
+    progress.total = 100;
+    EXPECT_EQ(progress_line(progress, 200), "[                    ] 0/100 cells  0 %  ");
+}
+
 TEST(ProgressLine, LosesItsBarFirstAndIsNeverWiderThanTheTerminal) {
     const std::string whole = progress_line(half_done(), 200);
     const std::string narrow = progress_line(half_done(), static_cast<int>(whole.size()));
     EXPECT_TRUE(narrow.starts_with("50/100 cells"));
     for (const int columns : {1, 2, 20, 60, 80})
         EXPECT_LE(progress_line(half_done(), columns).size(), static_cast<std::size_t>(std::max(1, columns - 1)));
+}
+
+TEST(CountsText, TellsLockingCellsApart) {
+    sweep::Counts counts;
+    counts.categories[static_cast<std::size_t>(classification::Category::none)] = 20;
+    counts.locks = 3;
+    counts.statuses[static_cast<std::size_t>(sweep::Status::failed)] = 1;
+    EXPECT_EQ(counts_text(counts), "none 20  locks 3  failed 1");
 }
 
 TEST(TakesLong, IsManyRecordingsOrMuchSound) {

@@ -1,6 +1,9 @@
 #include "stridor/crew/thread_crew.hpp"
 
+#include "support/error_text.hpp"
+
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <map>
 #include <stdexcept>
@@ -83,6 +86,58 @@ TEST(ThreadCrew, StopsAllWhereOneFails) {
         crew.take(1, Crew::Clock::now() + 1s);
     EXPECT_TRUE(crew.has_stopped());
     EXPECT_THROW(crew.rethrow(), std::runtime_error);
+}
+
+// from the n-th on no thread gets memory for its stack
+class NoMoreThreads {
+public:
+    NoMoreThreads() {
+        pthread_getattr_default_np(&before_);
+        pthread_attr_init(&huge_);
+        pthread_attr_setstacksize(&huge_, std::size_t{1} << 46U);
+    }
+    ~NoMoreThreads() {
+        pthread_setattr_default_np(&before_);
+        pthread_attr_destroy(&huge_);
+        pthread_attr_destroy(&before_);
+    }
+    NoMoreThreads(const NoMoreThreads&) = delete;
+    NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+
+    void begin() { pthread_setattr_default_np(&huge_); }
+
+private:
+    pthread_attr_t before_{};
+    pthread_attr_t huge_{};
+};
+
+TEST(ThreadCrew, EndsWithAWordWhereNotAllThreadsCanBeStarted) {
+    NoMoreThreads limit;
+    int made = 0;
+    Work work = echo();
+    work.worker = [&, worker = work.worker] {
+        if (++made == 3) limit.begin();
+        return worker();
+    };
+    const support::Thrown thrown = support::thrown_by([&] { ThreadCrew(work, 8, {}); });
+    EXPECT_EQ(thrown.kind, ErrorKind::io);
+    EXPECT_TRUE(thrown.says("the system starts no more threads (Resource temporarily unavailable)")) << thrown.message;
+    EXPECT_EQ(made, 3) << "two were started, and have ended";
+}
+
+TEST(ThreadCrew, EndsWithWhatAWorkerFailsToBegin) {
+    int made = 0;
+    Work work = echo();
+    work.worker = [&, worker = work.worker] {
+        if (++made == 3) throw std::runtime_error("no worker");
+        return worker();
+    };
+    EXPECT_THROW(ThreadCrew(work, 8, {}), std::runtime_error);
+}
+
+TEST(ThreadCrew, IsNotAskedForMoreThreadsThanAnyMachineHas) {
+    EXPECT_EQ(support::thrown_by([] { thread_count(1'000'000'000); }).kind, ErrorKind::input);
+    EXPECT_EQ(thread_count(4096), 4096U);
 }
 
 }  // namespace

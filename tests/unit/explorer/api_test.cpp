@@ -53,8 +53,8 @@ json design(std::vector<std::string> set = {}) {
 json chart_request() {
     json body = design({"drive.kind=constant", "drive.velocity=0.1", "run.duration=0.05", "run.window=0.02"});
     body["set"] = {"drive.kind=constant", "drive.velocity=0.1", "run.duration=0.05", "run.window=0.02"};
-    body["chart"] = {{"x", {{"parameter", "contact.preload"}, {"from", 1}, {"to", 80}, {"points", 17}}},
-                     {"y", {{"parameter", "contact.kinetic_friction"}, {"from", 0}, {"to", 0.8}, {"points", 9}}},
+    body["chart"] = {{"x", {{"parameter", "contact.preload"}, {"from", 1}, {"to", 80}, {"points", 33}}},
+                     {"y", {{"parameter", "contact.kinetic_friction"}, {"from", 0}, {"to", 0.8}, {"points", 17}}},
                      {"refine", 2}};
     return body;
 }
@@ -94,6 +94,34 @@ TEST(Api, BeginsWithThePresetsAndTheFieldsTheirSlidersNeed) {
     EXPECT_EQ(field("joint.mass")["belongs_to"], json::object());
     EXPECT_FALSE(field("run.step").contains("default"));  // a case may leave it out
     EXPECT_FALSE(document["figures"].empty());
+}
+
+// what a slider of the page goes over: it must hold the value that it begins with
+TEST(Api, VariesQuantitiesAroundTheOnesOfTheCase) {
+    World soft = world();
+    soft.presets.push_back(preset_of({soft.presets.front().toml,
+                                      "soft.toml",
+                                      {"joint.mass=4 g", "joint.flexural_stiffness=1.5 kN/m", "contact.preload=0.67 N",
+                                       "drive.kind=constant", "drive.velocity=-50 mm/s"}}));
+    HttpRequest request;
+    request.method = "GET";
+    request.path = "/api/start";
+    const json document = json::parse(answer(soft, request, {}).body);
+    const json& ranges = document["presets"].back()["ranges"];
+    EXPECT_DOUBLE_EQ(ranges["joint.mass"]["from"], 4e-4);
+    EXPECT_DOUBLE_EQ(ranges["joint.mass"]["to"], 4e-2);
+    EXPECT_DOUBLE_EQ(ranges["joint.flexural_stiffness"]["from"], 150.0);
+    EXPECT_EQ(ranges["joint.flexural_stiffness"]["scale"], "log");
+    EXPECT_DOUBLE_EQ(ranges["drive.velocity"]["from"], 5e-3) << "its magnitude";
+    EXPECT_EQ(ranges["contact.kinetic_friction"]["scale"], "linear");
+    EXPECT_FALSE(ranges.contains("run.duration"));
+    for (const json& preset : document["presets"])
+        for (const auto& [key, range] : preset["ranges"].items()) {
+            const std::size_t dot = key.find('.');
+            const double value = std::abs(preset["case"][key.substr(0, dot)][key.substr(dot + 1)].get<double>());
+            EXPECT_LE(range["from"], value) << key;
+            EXPECT_GE(range["to"], value) << key;
+        }
 }
 
 TEST(Api, SimulatesADesign) {
@@ -153,14 +181,32 @@ TEST(Api, ShowsAChartWhileItIsRefined) {
     const json body = chart_request();
     const std::vector<json> frames = lines_of(post("/api/chart", body.dump()));
     ASSERT_GE(frames.size(), 2U);
-    EXPECT_EQ(frames.front()["x"]["values"].size(), 17U);
+    EXPECT_EQ(frames.front()["x"]["values"].size(), 33U);
     EXPECT_EQ(frames.front()["directions"].size(), 2U);
     for (std::size_t k = 0; k < frames.size(); ++k) {
         EXPECT_EQ(frames[k]["round"], k);
         EXPECT_EQ(frames[k]["done"], k + 1 == frames.size());
-        EXPECT_EQ(frames[k]["category"].get<std::string>().size(), (2 * 17 * 9 + 2) / 3 * 4);
+        EXPECT_TRUE(k == 0 || frames[k]["computed"] > frames[k - 1]["computed"]) << k;
+        EXPECT_EQ(frames[k]["category"].get<std::string>().size(), (2 * 33 * 17 + 2) / 3 * 4);
     }
     EXPECT_FALSE(frames.back()["boundaries"].empty());
+}
+
+// the four corners of so small a chart may agree while all between them differs
+TEST(Api, ComputesAllOfASmallChart) {
+    json body = chart_request();
+    body["chart"]["refine"] = 3;
+    for (const bool is_preview : {false, true}) {
+        body["preview"] = is_preview;
+        for (const char* axis : {"x", "y"})
+            body["chart"][axis]["points"] = 8;
+        const json small = lines_of(post("/api/chart", body.dump())).back();
+        EXPECT_EQ(small["computed"], small["total"]);
+        for (const char* axis : {"x", "y"})
+            body["chart"][axis]["points"] = 64;
+        const json usual = lines_of(post("/api/chart", body.dump())).back();
+        EXPECT_LT(usual["computed"], 0.5 * usual["total"].get<double>());
+    }
 }
 
 TEST(Api, StopsAChartWhenAsked) {

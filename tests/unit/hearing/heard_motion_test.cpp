@@ -8,6 +8,7 @@
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/signal/level.hpp"
+#include "support/effort.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
@@ -27,6 +28,8 @@ using support::thrown_by;
 Case lips(parameters::Direction direction) {
     Case c = parameters::two_lips();
     c.drive.velocity = direction == parameters::Direction::going ? 0.1 : -0.1;
+    c.run.duration = support::effort(c.run.duration, 0.6);
+    c.run.window = support::effort(c.run.window, 0.3);
     return c;
 }
 

@@ -30,7 +30,7 @@ sweep::Study chart() {
     study.base.run.duration = 0.25;
     study.base.run.window = 0.15;
     study.directions = {parameters::Direction::going};
-    study.x = {"contact.preload", 5.0, 800.0, 5, sweep::Scale::logarithmic};
+    study.x = {"contact.preload", 5.0, 3000.0, 5, sweep::Scale::logarithmic};
     study.y = {"contact.kinetic_friction", 0.35, 0.75, 4, sweep::Scale::linear};
     return study;
 }

@@ -76,9 +76,11 @@ TEST(Failure, NamesAStepThatIsStable) {
     const std::optional<Error> error = failure(c, simulate(c));
     ASSERT_TRUE(error.has_value());
     EXPECT_EQ(error->kind(), ErrorKind::input);
-    EXPECT_EQ(std::string(error->what()),
-              "run.step = 3e-04 s is beyond the stability limit 0.0002 s (the highest open mode would grow without "
-              "bound). Use at most 2e-05 s; 1e-06 s or less for rates you quote.");
+    EXPECT_EQ(
+        std::string(error->what()),
+        "run.step = 3e-04 s is beyond the stability limit 0.0001 s (at twice the step, with which it is compared, "
+        "the highest open mode would grow without bound). Use at most 1e-05 s; 1e-06 s or less for rates you "
+        "quote.");
     EXPECT_EQ(std::string(beyond_step_limit(c).what()), error->what());
 }
 

@@ -81,25 +81,28 @@ TEST(LastingSet, KnowsWhenTheBeltWillPullAStuckBlockLoose) {
     const Eigen::Vector4d u(0.2, 0.0, 0.2, 0.0), rate(0.1, 0.0, 0.1, 0.0);
     const Chain stuck = chain(0.0, u, rate);
     const LastingSet set(stuck.modal, {ContactMode::stick, ContactMode::stick}, 0.1);
-    for (const record::Outlook& outlook : set.outlooks(stuck.q, stuck.v, 5.0)) {
+    for (const record::Outlook& outlook : set.outlooks(stuck.q, stuck.v, 5.0, {{4.0, 4.0}})) {
         EXPECT_EQ(outlook.future, Future::releases);
         EXPECT_NEAR(outlook.release, 5.0 + (1.0 - 0.2) / 0.1, 1e-9);
+        EXPECT_NEAR(outlook.drag.to, 1.0, 1e-12);  // a spring along the belt presses nobody
+        EXPECT_NEAR(outlook.drag.way, 0.1, 1e-12);
+        EXPECT_EQ(outlook.drag.slope, 0.0);
     }
     EXPECT_FALSE(set.silence(stuck.q, stuck.v, 5.0).has_value());
 }
 
 TEST(LastingSet, KnowsNothingOfContactsThatAreOpen) {
     const Chain open = chain(0.2, Eigen::Vector4d(0.0, 1.0, 0.0, 1.0), Eigen::Vector4d::Zero());
-    for (const record::Outlook& outlook :
-         LastingSet(open.modal, {ContactMode::open, ContactMode::open}, 0.1).outlooks(open.q, open.v, 0.0))
+    for (const record::Outlook& outlook : LastingSet(open.modal, {ContactMode::open, ContactMode::open}, 0.1)
+                                              .outlooks(open.q, open.v, 0.0, {{0.0, 0.0}}))
         EXPECT_EQ(outlook.future, Future::unknown);
 }
 
 TEST(LastingSet, OfABeltThatStandsStillSticksForEver) {
     const Eigen::Vector4d u(0.2, 0.0, 0.3, 0.0);
     const Chain stuck = chain(0.0, u, Eigen::Vector4d::Zero());
-    for (const record::Outlook& outlook :
-         LastingSet(stuck.modal, {ContactMode::stick, ContactMode::stick}, 0.0).outlooks(stuck.q, stuck.v, 0.0))
+    for (const record::Outlook& outlook : LastingSet(stuck.modal, {ContactMode::stick, ContactMode::stick}, 0.0)
+                                              .outlooks(stuck.q, stuck.v, 0.0, {{0.0, 0.0}}))
         EXPECT_EQ(outlook.future, Future::sticks);
 }
 

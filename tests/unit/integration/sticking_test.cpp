@@ -61,6 +61,41 @@ TEST(Stick, LocksFromTheClosedFormOn) {
     EXPECT_EQ(at_rest(c).future, Future::releases);
 }
 
+// N = F + x k2y Kxy/(Kyy + k2y), but for the dashpots
+TEST(Stick, CarriesMoreWithTheWayAsTheClosedFormSays) {
+    const Case c = support::seal_lip();
+    const model::Structure s = model::rubbing_system(c);
+    const double both = s.stiffness(1, 1) + c.plate.stiffness;
+    const double slope = c.plate.stiffness * s.stiffness(0, 1) / both;
+    EXPECT_NEAR(slope, 9.7e3, 50.0);
+    EXPECT_NEAR(at_rest(c).drag.slope, slope, 1e-9 * slope);
+    const record::Drag drag = ending(c).outlook.drag;
+    EXPECT_NEAR(drag.slope, slope, 1e-9 * slope);
+    EXPECT_NEAR(drag.way, c.drive.velocity * c.run.duration, 2e-6);
+    EXPECT_NEAR(drag.from, c.contact.preload, 0.1);
+    EXPECT_NEAR(drag.to, c.contact.preload + slope * c.drive.velocity * c.run.duration, 0.1);
+    Case coming = c;
+    coming.drive.velocity = -0.05;
+    EXPECT_NEAR(at_rest(coming).drag.slope, -slope, 1e-9 * slope);
+}
+
+// x2 = A sin(omega t), slow: N swings by A k2y Kxy/(Kyy + k2y)
+TEST(Stick, OfASinusoidalDriveCarriesMostAtTheEndsOfItsStroke) {
+    Case c = support::seal_lip();
+    c.drive.kind = parameters::DriveKind::sinusoidal;
+    c.drive.amplitude = 0.3e-3;
+    c.drive.frequency = 0.1;
+    c.run.duration = c.run.window = 20.0;
+    const model::Structure s = model::rubbing_system(c);
+    const double swing =
+        c.drive.amplitude * c.plate.stiffness * s.stiffness(0, 1) / (s.stiffness(1, 1) + c.plate.stiffness);
+    const record::Ending end = ending(c);
+    ASSERT_EQ(end.outlook.future, Future::sticks);
+    EXPECT_NEAR(end.outlook.drag.way, 2.0 * c.drive.amplitude, 1e-12);
+    EXPECT_NEAR(0.5 * (end.outlook.drag.to - end.outlook.drag.from), swing, 1e-3 * swing);
+    EXPECT_EQ(end.outlook.drag.slope, 0.0);
+}
+
 // alpha = 0 decouples x and y: T = k x reaches mu_s F after mu_s F/(k V)
 TEST(Release, OfAMassOnABeltComesWhenTheSpringPullsItLoose) {
     Case c = support::seal_lip();

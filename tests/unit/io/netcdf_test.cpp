@@ -74,6 +74,16 @@ public:
         check(nc_get_att_schar(id_, variable(variable_name), name.c_str(), values.data()));
         return values;
     }
+    // of a variable of letters
+    std::string letters(const std::string& name) const {
+        int dimension = -1;
+        std::size_t size = 0;
+        check(nc_inq_vardimid(id_, variable(name), &dimension));
+        check(nc_inq_dimlen(id_, dimension, &size));
+        std::string text(size, '\0');
+        check(nc_get_var_text(id_, variable(name), text.data()));
+        return text;
+    }
     // the boxes it is packed in, and how: "1 256 256 deflate 1 shuffle"
     std::string packing(const std::string& name) const {
         std::array<std::size_t, NC_MAX_VAR_DIMS> chunk{};
@@ -191,7 +201,7 @@ TEST(ChartNetcdf, KeepsTheVerdictOfEachStart) {
     EXPECT_EQ(file.words("start", 2), (std::vector<std::string>{"rest", "sliding"}));
     EXPECT_EQ(file.dimensions("start_verdict"), "start direction kinetic_friction preload");
     EXPECT_EQ(file.text("start_verdict", "flag_meanings"),
-              "none squeal squeak creak undecided invalid step_limit diverged failed inferred");
+              "none squeal squeak creak undecided invalid step_limit diverged failed locks inferred");
     const std::vector<signed char> verdicts = file.bytes("start_verdict", 2 * size);
     EXPECT_EQ(verdicts[5], 0);
     EXPECT_EQ(verdicts[size + 5], 1);
@@ -213,6 +223,23 @@ TEST(ChartNetcdf, CarriesTheStudyThatMadeIt) {
     EXPECT_EQ(file.global("study_hash"), base::hash_text(canonical));
     const sweep::Study again = read_study(TomlSource{file.global("case"), "attribute", {}});
     EXPECT_EQ(sweep::canonical_text(again), canonical);
+}
+
+// HDF5 refuses attributes of 64 KiB: after all computing a chart of a part with its matrices had no file
+TEST(ChartNetcdf, HoldsALongTextAsAVariable) {
+    const ScratchFolder scratch;
+    sweep::SweepResult chart = small_chart();
+    chart.study.base.title = std::string(100'000, 'x');
+    const std::string text = study_toml(chart.study, {.comments = Comments::none, .heading = ""});
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    write_chart_zarr((scratch / "chart.zarr").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
+    EXPECT_EQ(file.letters("case"), text);
+    EXPECT_EQ(file.text("case", "_Encoding"), "utf-8");
+    EXPECT_EQ(file.dimensions("case"), "case_length");
+    EXPECT_EQ(file.global("study"), sweep::canonical_text(chart.study));
+    const Opened zarr("file://" + (scratch / "chart.zarr").string() + "#mode=zarr,file");
+    EXPECT_EQ(zarr.global("case"), text);
 }
 
 TEST(ChartNetcdf, KeepsNamesApartThatWouldBeAlike) {

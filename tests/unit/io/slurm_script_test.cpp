@@ -17,7 +17,8 @@ TEST(SlurmScript, HasEachTaskComputeItsShareAndTheMergeFollow) {
     const std::string script = slurm_script(small_job());
     EXPECT_TRUE(script.starts_with("#!/bin/bash\n#SBATCH --job-name=stridor-pair\n"));
     for (const char* part : {"shares=16\n", "threads=4\n", "limits=(--time=2:00:00)\n", "folder='/home/ann/pair'\n",
-                             "--requeue --signal=B:TERM@30", "exec \"$program\" chart",
+                             "--array=\"${tasks:-0-$((shares - 1))}\" --requeue --signal=B:TERM@30",
+                             "chart-status \"$folder\" --lacking \"$shares\"", "exec \"$program\" chart",
                              "--dependency=\"afterany:$array\"", "--shard \"$SLURM_ARRAY_TASK_ID/$shares\""})
         EXPECT_NE(script.find(part), std::string::npos) << part << " in " << script;
 }

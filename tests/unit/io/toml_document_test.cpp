@@ -76,6 +76,12 @@ TEST(TomlDocument, RefusesOverridesThatSetNothing) {
     expect_error(document_refusal("", {std::string("title=\xff")}), "not UTF-8", "--set");
 }
 
+TEST(TomlDocument, SaysOfLatin1InAFileWhatItSaysInAnOverride) {
+    const char* const why = "is not UTF-8 text (one of its bytes is of another encoding, such as Latin-1)";
+    expect_error(document_refusal("# T\xfcr\na = 1\n"), std::string("the file ") + why, "case.toml:1:3");
+    expect_error(document_refusal("", {std::string("title=T\xfcr")}), std::string("an override ") + why, "--set");
+}
+
 TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
     const auto nested = [](int depth) {
         std::string keys;

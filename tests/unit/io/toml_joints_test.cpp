@@ -85,6 +85,13 @@ TEST(TomlJoints, SayWhatIsWrongOnceAndWhere) {
     EXPECT_NE(refusal_of(two_joints(), {"contact.impact=normal-only"}).find("plastic impacts only"), std::string::npos);
 }
 
+TEST(TomlJoints, SayWhereAKeyOfTheContactBelongs) {
+    const std::string why = refusal_of(replaced(two_joints(), "mass = 0.2", "mass = 0.2\npreload = \"5 N\""));
+    EXPECT_NE(why.find("unknown key joint.preload"), std::string::npos) << why;
+    EXPECT_NE(why.find("Write it below [joint.contact] of this joint."), std::string::npos) << why;
+    EXPECT_EQ(why.find("Did you mean"), std::string::npos) << why;
+}
+
 TEST(TomlJoints, OfAListThatIsTooLongAreRefused) {
     std::string text = two_joints();
     for (std::size_t k = 0; k < parameters::most_joints; ++k)

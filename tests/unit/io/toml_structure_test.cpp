@@ -79,7 +79,7 @@ TEST(TomlStructure, HasContactsThatSlipInAPlane) {
     EXPECT_EQ(parameters::canonical_text(read_structure_text(case_toml(c))), parameters::canonical_text(c));
     expect_structure_refused(text, "the exact engine cannot solve contact \"pad\"");
     expect_structure_refused(whole_case(std::string(three_rows) + replaced(plane_contact, "-u2", "u1")),
-                             "the second tangent is the first one");
+                             "the second tangent of contact \"pad\" is made of its normal and tangent");
     expect_structure_refused(whole_case(std::string(matrices) + tip_contact + "second_drive_share = 1\n"),
                              "second_drive_share stands without a second_tangent");
 }
@@ -180,6 +180,26 @@ TEST(TomlStructure, IsPressedByALoadOrByGaps) {
                              "contact.preload means nothing for this structure");
 }
 
+// springs may hold nothing, or all but a motion: that is no negative stiffness
+TEST(TomlStructure, MayMoveFreely) {
+    for (const char* stiffness : {"[[0, 0], [0, 0]]", "[[0, 0], [0, 4]]", "[[1, -1], [-1, 1]]"})
+        EXPECT_NO_THROW(read_structure_text(
+            whole_case(replaced(matrices, "[[3, -1], [-1, 4]]", stiffness) + std::string(tip_contact))))
+            << stiffness;
+}
+
+// nothing presses it: what it has is a velocity
+TEST(TomlStructure, MayFlyTowardsTheSurface) {
+    const std::string without = replaced(shared_sections, "preload = \"2 N\"\n", "");
+    const Case c = read_structure_text(std::string(matrices) + "initial_velocity = [0, -1]\n" + tip_contact +
+                                       "initial_gap = \"1 mm\"\n" + without);
+    EXPECT_FALSE(parameters::is_preloaded(*c.own_structure));
+    EXPECT_EQ(c.own_structure->contacts[0].initial_gap, 1e-3);
+    expect_structure_refused(
+        std::string(matrices) + "initial_velocity = [0, 0]\n" + tip_contact + "initial_gap = \"1 mm\"\n" + without,
+        "nothing presses the structure");
+}
+
 TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     const std::string m = matrices;
     const std::string c = tip_contact;
@@ -197,6 +217,9 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     expect_structure_refused(with("[[1, 0], [0, 2]]", "[[1]]"), "the stiffness has 2 rows, the mass 1");
     expect_structure_refused(with("[-1, 4]", "[-2, 4]"), "not symmetric");
     expect_structure_refused(with("[0, 2]]", "[0, -2]]"), "the mass is negative for some motion");
+    expect_structure_refused(with("[-1, 4]", "[-1, 0.3]"), "the stiffness is negative for some motion");
+    expect_structure_refused(with("[[3, -1]", "[[-3, -1]"), "the stiffness is negative for some motion");
+    expect_structure_refused(with("[-1, 4]", "[-1, 0.33333]"), "the stiffness is negative for some motion");
     expect_structure_refused(with("[0, 2]]", "[0, 0]]"), "row y has no mass");
     expect_structure_refused(with("[[1, 0], [0, 2]]", "[[0, 1], [1, 0]]"), "mass");
     expect_structure_refused(with("[0, 2]]", "[0, nan]]"), "the mass holds nan");
@@ -205,6 +228,8 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     expect_structure_refused(with("mass", "masss"), "unknown key structure.masss");
     expect_structure_refused(touching("\"y\"", "\"z\""), "\"z\" is no set, node or row");
     expect_structure_refused(touching("\"y\"", "[0, 0]"), "the normal is zero");
+    expect_structure_refused(touching("\"y\"", "\"x\""), "the tangent of contact \"tip\" is along its normal");
+    expect_structure_refused(touching("\"y\"", "[2, 1e-7]"), "the tangent of contact \"tip\" is along its normal");
     expect_structure_refused(touching("\"y\"", "[0, 1, 0]"), "the normal has 3 components");
     expect_structure_refused(touching("\"y\"", "\"y -y\""), "the normal is zero");
     expect_structure_refused(touching("name = \"tip\"\n", ""), "this contact has no name");

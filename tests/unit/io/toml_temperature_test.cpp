@@ -115,7 +115,7 @@ TEST(TomlTemperature, PointsAtWhatIsWrongInIt) {
     const auto error =
         error_of([&] { read_temperature(lip_toml("value = 10\nat = [0, 50]\nk1i = [1]\nmu_d = [0.1, 0.2]\n")); });
     EXPECT_EQ(error->complaints().size(), 1U) << error->what();
-    expect_error(error, "1 values over 2", "case.toml:45:7");
+    expect_error(error, "1 values over 2", "case.toml:49:7");
 }
 
 TEST(TomlTemperature, SaysWhatItsPropertiesContradict) {

@@ -49,6 +49,7 @@ Case random_case() {
     c.run.step = c.run.duration / 7e5;
     if (c.drive.velocity == 0.0) c.drive.velocity = 0.1;
     if (c.run.engine == parameters::Engine::moreau) c.contact.impact = parameters::ImpactKind::plastic;
+    c.run.formulation = parameters::Formulation::standard;  // a joint has inertia
     c.verdict.settling *= 0.4;
     c.verdict.reversal *= 0.4;
     c.verdict.squeal_beats = std::floor(c.verdict.squeal_beats);

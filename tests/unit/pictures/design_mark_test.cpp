@@ -1,9 +1,12 @@
 #include "stridor/pictures/parts/design_mark.hpp"
 
 #include "pictures_support.hpp"
+#include "stridor/drawing/layout.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace stridor::pictures {
 namespace {
@@ -32,6 +35,24 @@ TEST(DesignMark, StandsAtTheCasesOwnValuesInEveryPanel) {
         EXPECT_EQ(points.y, std::vector{middle(study.y)});
     }
     EXPECT_NE(drawing::plain_text(scene.legend.back().text).find("design: F = "), std::string::npos);
+}
+
+TEST(DesignMark, StandsOnNoName) {
+    const sweep::Study study = quiet_sweep().study;
+    // where the name of the only region would stand
+    const drawing::Layout bare = drawing::arrange(noise_chart(quiet_sweep()));
+    const drawing::PlacedPanel& panel = bare.panels[0];
+    const drawing::PlacedText& name = panel.notes.at(0).text;
+    const double x = (name.x - panel.area.left) / drawing::width_of(panel.area);
+    const double y = (name.y - panel.area.bottom) / drawing::height_of(panel.area);
+    const drawing::Panel axes = noise_chart(quiet_sweep()).panels[0];
+    const sweep::SweepResult result =
+        around(drawing::value_at_position(axes.x, x), drawing::value_at_position(axes.y, y));
+    drawing::Scene scene = noise_chart(result);
+    mark_design(scene, result.study);
+    const drawing::PlacedNote moved = drawing::arrange(scene).panels[0].notes.at(0);
+    EXPECT_EQ(moved.text.text, name.text);
+    EXPECT_GT(std::hypot(moved.text.x - name.x, moved.text.y - name.y), 2.0) << "[mm]";
 }
 
 TEST(DesignMark, OutsideOfTheAxesTheCaptionSaysSo) {

@@ -1,6 +1,7 @@
 #include "stridor/pictures/noise_chart.hpp"
 
 #include "pictures_support.hpp"
+#include "stridor/drawing/layout.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
@@ -92,9 +93,9 @@ TEST(NoiseChart, LegendTellsHowCellsFailed) {
 }
 
 TEST(NoiseChart, LargeRegionsCarryTheirName) {
-    const std::vector<drawing::Note> notes = layers_of<drawing::Note>(noise_chart(quiet_sweep()).panels[0]);
-    ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(drawing::plain_text(notes[0].text), "none");
+    const drawing::Layout layout = drawing::arrange(noise_chart(quiet_sweep()));
+    ASSERT_EQ(layout.panels[0].notes.size(), 1U);
+    EXPECT_EQ(drawing::plain_text(layout.panels[0].notes[0].text.text), "none");
 }
 
 TEST(NoiseChart, LinesPartWhatDiffers) {
@@ -115,7 +116,7 @@ TEST(NoiseChart, NamesTheStarts) {
     const drawing::Scene scene = noise_chart(result);
     EXPECT_EQ(drawing::plain_text(scene.caption[0]).find("initial"), std::string::npos);
     EXPECT_EQ(drawing::plain_text(scene.caption[1]),
-              "Each cell was run from rest, stuck and sliding; the loudest is shown.");
+              "Each cell was run from rest, stuck and sliding; the worst is shown.");
 }
 
 TEST(NoiseChart, MarksCellsThatAreQuietUnlessDisturbed) {

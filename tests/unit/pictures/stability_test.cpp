@@ -31,20 +31,31 @@ analysis::StabilityPath coupling() {
     return path;
 }
 
+analysis::StabilityScan scan_of(std::vector<analysis::DirectionScan> directions) {
+    analysis::StabilityScan scan;
+    scan.base.title = "seal 4711";
+    scan.key = "contact.kinetic_friction";
+    scan.unit = "1";
+    scan.directions = std::move(directions);
+    return scan;
+}
+
+analysis::DirectionScan going() {
+    return {parameters::Direction::going, {}, coupling(), {}};
+}
+
 TEST(StabilityScene, ShowsFrequencyAndGrowthPerDirection) {
-    const std::vector<StabilityCurve> curves{{parameters::Direction::going, coupling()},
-                                             {parameters::Direction::coming, {}}};
-    const drawing::Scene scene = stability("contact.kinetic_friction", curves);
+    const drawing::Scene scene = stability(scan_of({going(), {parameters::Direction::coming, {}, {}, {}}}));
+    EXPECT_EQ(drawing::plain_text(scene.title), "Stability of steady sliding: seal 4711");
     ASSERT_EQ(scene.panels.size(), 4U);
-    EXPECT_EQ(drawing::plain_text(scene.panels[0].title), "a) going");
+    EXPECT_EQ(drawing::plain_text(scene.panels[2].title), "b) coming");
     EXPECT_EQ(scene.panels[0].y.unit, "Hz");
     EXPECT_EQ(scene.panels[1].y.unit, "1/s");
     EXPECT_EQ(drawing::plain_text(scene.panels[1].x.label), "kinetic friction μd");
 }
 
 TEST(StabilityScene, LinesFollowTheModesWhateverTheirOrder) {
-    const std::vector<StabilityCurve> curves{{parameters::Direction::going, coupling()}};
-    const drawing::Scene scene = stability("contact.kinetic_friction", curves);
+    const drawing::Scene scene = stability(scan_of({going()}));
     const std::vector<drawing::Line> growths = layers_of<drawing::Line>(scene.panels[1]);
     ASSERT_EQ(growths.size(), 2U);
     for (const drawing::Line& line : growths) {
@@ -56,11 +67,8 @@ TEST(StabilityScene, LinesFollowTheModesWhateverTheirOrder) {
 }
 
 TEST(StabilityScene, NamesTheOnsetAndTintsWhatIsUnstable) {
-    const std::vector<StabilityCurve> curves{{parameters::Direction::going, coupling()}};
-    const drawing::Scene scene = stability("contact.kinetic_friction", curves);
-    const std::vector<drawing::Note> notes = layers_of<drawing::Note>(scene.panels[0]);
-    ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(drawing::plain_text(notes[0].text), "μd = 0.500");
+    const drawing::Scene scene = stability(scan_of({going()}));
+    EXPECT_EQ(drawing::plain_text(scene.panels[0].title), "a) going: μd = 0.5");
     for (const drawing::Panel& panel : scene.panels) {
         const std::vector<drawing::Boxes> grounds = layers_of<drawing::Boxes>(panel);
         ASSERT_EQ(grounds.size(), 1U);

@@ -42,6 +42,80 @@ double total(const std::array<double, model::contact_states>& times) {
     return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
+TEST(Recorder, KeepsTheLargestForceOfTheJudgedTime) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(0, entry(slip, 0.0));
+    const auto carries = [&](std::size_t span, double force) {
+        const Load load{0.0, 0.0, force};
+        recorder.load(span, {&load, 1});
+    };
+    carries(0, 90.0);  // not judged
+    carries(1, 20.0);
+    carries(4, 70.0);  // coming
+    carries(7, 10.0);
+    EXPECT_EQ(recorder.since(0), 0.0);
+    recorder.enter(0, entry(stick, 9.5));
+    EXPECT_EQ(recorder.since(0), 9.5);
+    const Record record = recorder.finish(12.0);
+    EXPECT_EQ(record.phases[0].contacts.front().load.largest_force, 20.0);
+    EXPECT_EQ(record.phases[1].contacts.front().load.largest_force, 70.0);
+}
+
+// the judged time of each stretch by its parts of 1/4 s
+TEST(Recorder, SharesOutJudgedTimeAmongThePartsOfItsStretch) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 2.125));
+    recorder.enter(0, entry(slip, 5.5));
+    const Record record = recorder.finish(12.0);
+    const ContactTally& going = record.phases[0].contacts.front();
+    const ContactTally& coming = record.phases[1].contacts.front();
+    ASSERT_EQ(going.judged_stretches, 2);
+    ASSERT_EQ(going.stretches.size(), 2U);
+    for (std::size_t part = 0; part < stretch_parts; ++part) {
+        const double sticks = part < 4 ? 0.0 : part == 4 ? 0.125 : 0.25;
+        EXPECT_EQ(going.stretches[0].at(part), (std::array{0.25 - sticks, sticks, 0.0})) << part;
+        EXPECT_EQ(going.stretches[1].at(part), (std::array{0.25, 0.0, 0.0})) << part;
+        EXPECT_EQ(coming.stretches[0].at(part), (part < 2 ? std::array{0.0, 0.25, 0.0} : std::array{0.25, 0.0, 0.0}));
+    }
+}
+
+// a closing part belongs to the stretch that it closes; a stretch that the run's end cuts short is none
+TEST(Recorder, TakesTheClosingPartIntoItsStretch) {
+    const Schedule plan{{{0.0, 1.0, Phase::all, Use::unused},
+                         {1.0, 7.0, Phase::all, Use::judged},
+                         {7.0, 9.0, Phase::all, Use::closing}},
+                        {Phase::all}};
+    for (const double end : {9.0, 9.0 - 1e-13, 8.0}) {
+        Recorder recorder(plan, {}, 3);
+        recorder.enter(0, entry(slip, 0.0));
+        recorder.enter(0, entry(stick, 6.5));
+        const ContactTally contact = recorder.finish(end).phases.front().contacts.front();
+        ASSERT_EQ(contact.judged_stretches, end > 8.5 ? 1 : 0);
+        if (end < 8.5) continue;
+        for (std::size_t part = 0; part < stretch_parts; ++part)
+            EXPECT_EQ(contact.stretches.front().at(part)[1], part < 5 ? 0.0 : part == 5 ? 0.5 : 1.0) << part;
+    }
+}
+
+// a tally stays as small as it is, however many stretches there are
+TEST(Recorder, KeepsTheLatestStretches) {
+    Schedule plan;
+    for (int k = 0; k < 20; ++k) {
+        plan.spans.push_back({1.0 * k, k + 0.5, Phase::going, Use::counted});
+        plan.spans.push_back({k + 0.5, k + 1.0, Phase::going, Use::judged});
+    }
+    plan.phases = {Phase::going};
+    Recorder recorder(plan, {}, 3);
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 18.0));
+    const ContactTally contact = recorder.finish(20.0).phases.front().contacts.front();
+    EXPECT_EQ(contact.judged_stretches, 20);
+    ASSERT_EQ(contact.stretches.size(), kept_stretches);
+    EXPECT_EQ(contact.stretches.front().front()[0], 0.0625);
+    EXPECT_EQ(contact.stretches.back().front()[1], 0.0625);
+}
+
 TEST(Recorder, SharesOutTimeAmongStatesAndPhases) {
     Recorder recorder(two_phases(), {}, 3);
     recorder.enter(0, entry(slip, 0.0));

@@ -40,6 +40,19 @@ TEST(UnitLabel, IsUnderstoodAsLabsWriteIt) {
     EXPECT_EQ(unit_of_label("m/s**2"), (FullScale{1.0, "m/s^2"}));
     EXPECT_EQ(unit_of_label(" m/s² "), (FullScale{1.0, "m/s^2"}));
     EXPECT_EQ(unit_of_label("g"), (FullScale{9.80665, "m/s^2"}));
+    for (const char* label : {"m/s2", "m/sec^2", "(m/s^2)", "[m/s\xB2]", "m/sec2", "m/s/s", "m*s^-2", "m.s-2"})
+        EXPECT_EQ(unit_of_label(label), (FullScale{1.0, "m/s^2"})) << label;
+    EXPECT_EQ(unit_of_label("mm/s2"), (FullScale{1e-3, "m/s^2"}));
+    for (const char* label : {"G", "gn", "g's"})
+        EXPECT_EQ(unit_of_label(label), (FullScale{9.80665, "m/s^2"})) << label;
+    EXPECT_NEAR(unit_of_label("mg").value, 9.80665e-3, 1e-15);
+    EXPECT_EQ(unit_of_label("Newtons"), (FullScale{1.0, "N"}));
+    EXPECT_EQ(unit_of_label("Volts"), (FullScale{1.0, "V"}));
+    EXPECT_EQ(unit_of_label("N.m"), (FullScale{1.0, "J"}));
+    EXPECT_EQ(unit_of_label("lbf"), (FullScale{4.4482216152605, "N"}));
+    EXPECT_EQ(unit_of_label("in/sec"), (FullScale{0.0254, "m/s"}));
+    EXPECT_EQ(unit_of_label("\xB5s"), (FullScale{1e-6, "s"}));
+    EXPECT_EQ(unit_of_label("Deg C").unit, "Deg C") << "what is not known stays what it is";
     EXPECT_EQ(unit_of_label("kN"), (FullScale{1000.0, "N"}));
     EXPECT_EQ(unit_of_label(""), FullScale{});
     EXPECT_EQ(unit_of_label("-"), FullScale{});
@@ -97,7 +110,7 @@ TEST(Sidecar, IsRefusedWithItsReason) {
     expect_error(refusal("\"chanels\": []"), "Did you mean \"channels\"?", "s.json");
     expect_error(refusal("\"channels\": 1"), "is no list", "s.json");
     expect_error(refusal("\"channels\": [{\"full_scale\": 2}]"), "without a \"unit\"", "s.json");
-    expect_error(refusal("\"channels\": [{\"unit\": \"pascals\"}]"), "unknown unit", "s.json");
+    expect_error(refusal("\"channels\": [{\"unit\": \"loud\"}]"), "unknown unit", "s.json");
     expect_error(refusal("\"channels\": [{\"unit\": \"Pa\", \"full_scale\": -1}]"), "no positive number", "s.json");
     expect_error(refusal("\"rate\": \"fast\""), "\"rate\" is no positive number", "s.json");
 }

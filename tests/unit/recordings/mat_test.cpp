@@ -138,7 +138,7 @@ TEST(Mat, RefusesUnevenTimes) {
 TEST(Mat, SaysWhichSampleIsNotFinite) {
     NEEDS_MATIO();
     const auto bytes = variable_4("fs", 1, {8.0}) + variable_4("x", 3, {1.0, std::nan(""), 1.0});
-    expect_error(error_of([&] { all_of(input_of(bytes)); }), "the sample of frame 1 is not a finite number", "f");
+    expect_error(error_of([&] { all_of(input_of(bytes)); }), "sample 2 of the channel \"x\" is nan", "f");
 }
 
 TEST(Mat, ThatClaimsMoreThanItsBytesHoldIsRefused) {

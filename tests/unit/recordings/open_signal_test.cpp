@@ -11,10 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace stridor::recordings {
 
@@ -87,9 +90,59 @@ TEST(OpenSignal, SaysThatAPipedHeaderKnowsNoLength) {
     EXPECT_NE(file->facts().notes[0].find("does not say how long"), std::string::npos);
 }
 
+// a recorder that lost its power leaves 0; the last two have a header that no library takes
+TEST(OpenSignal, ReadsTheSamplesThatAreThereWhateverTheHeaderSays) {
+    for (const char* name :
+         {"21_size_0.wav", "21_rf64_size_0.wav", "21_apple_size_0.wav", "22_list_with_filling.wav", "27_bw64.wav"}) {
+        const auto file = open_signal(fixture(name));
+        EXPECT_EQ(file->layout().rate, 48000.0) << name;
+        EXPECT_EQ(file->facts().notes.size(), std::string_view(name) == "27_bw64.wav" ? 0U : 1U) << name;
+        const std::vector<Signal> found = signal::read_all(*file);
+        ASSERT_EQ(found.size(), 1U) << name;
+        ASSERT_EQ(found[0].samples.size(), 4800U) << name;
+        const auto [low, high] = std::minmax_element(found[0].samples.begin(), found[0].samples.end());
+        EXPECT_NEAR(*high, 0.5, 1e-3) << name;
+        EXPECT_NEAR(*low, -0.5, 1e-3) << name;
+    }
+}
+
+TEST(OpenSignal, Reads24BitsThatStandIn4Bytes) {
+    const auto bytes = [](std::uint32_t value, int count) {
+        std::string text;
+        for (int k = 0; k < count; ++k)
+            text += static_cast<char>(value >> (8 * k) & 0xFFU);
+        return text;
+    };
+    constexpr std::array<std::int32_t, 4> samples{1, -1, 4194304, -8388607};
+    for (const bool is_low : {false, true}) {
+        std::string data;
+        for (const std::int32_t sample : samples)
+            data += bytes(static_cast<std::uint32_t>(is_low ? sample : sample * 256), 4);
+        const std::string wav = "RIFF" + bytes(52, 4) + "WAVEfmt " + bytes(16, 4) + bytes(1, 2) + bytes(1, 2) +
+                                bytes(48000, 4) + bytes(192000, 4) + bytes(4, 2) + bytes(24, 2) + "data" +
+                                bytes(16, 4) + data;
+        const std::vector<Signal> found = all_of(input_of(wav));
+        ASSERT_EQ(found[0].samples.size(), 4U) << is_low;
+        for (std::size_t k = 0; k < samples.size(); ++k)
+            EXPECT_EQ(found[0].samples[k], samples[k] / 8388608.0) << is_low;
+    }
+}
+
 TEST(OpenSignal, NamesTheFrameThatIsNotFinite) {
-    expect_error(error_of([] { all_of(fixture("scipy_nan.wav")); }), "the sample of frame 40 is not a finite number",
-                 fixture("scipy_nan.wav"));
+    expect_error(error_of([] { all_of(fixture("scipy_nan.wav")); }), "sample 41 is nan", fixture("scipy_nan.wav"));
+}
+
+// the square of 1e200 is no double, nor is any level that it enters
+TEST(OpenSignal, RefusesASampleThatIsTooLargeWithItsPlace) {
+    const auto table = [](const std::string& first) { return "# rate: 8000\np [Pa]\n0.5\n" + first + "\n0.25\n"; };
+    EXPECT_EQ(all_of(input_of(table("1e30"), "d.csv")).front().samples.size(), 3U);
+    expect_error(error_of([&] { all_of(input_of(table("-1e200"), "d.csv")); }),
+                 "p = \"-1e200\" is no finite sample (instruments write such numbers for an overload", "d.csv:4:1");
+    // what a calibration makes too large, too
+    OpenOptions options;
+    options.full_scales = {{1e20, "Pa"}};
+    expect_error(error_of([&] { all_of(input_of(table("1e15"), "d.csv"), options); }),
+                 "sample 2 of the channel \"p\" is 1e+35 Pa (nothing that is measured exceeds 1e+30)", "d.csv");
 }
 
 TEST(OpenSignal, TakesOneChannelAlone) {

@@ -11,7 +11,7 @@ namespace stridor::recordings {
 
 /// A file of tests/fixtures/signals.
 inline std::string fixture(const std::string& name) {
-    return std::string(STRIDOR_SOURCE_DIR) + "/tests/fixtures/signals/" + name;
+    return STRIDOR_SOURCE_DIR "/tests/fixtures/signals/" + name;
 }
 
 /// Bytes as a file that is to be read.

@@ -6,9 +6,11 @@
 #include "support/expected_error.hpp"
 #include "support/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace stridor::recordings {
 
@@ -55,6 +57,29 @@ TEST(Uff58, ReadsBigEndianChannelsAmongOtherDatasets) {
     EXPECT_EQ(found[1].unit, "m/s");
     for (int k = 0; k < uff58_frames; ++k)
         EXPECT_EQ(found[1].samples[static_cast<std::size_t>(k)], -ramp(k) * 1e-3);
+}
+
+// front ends write labels of their own
+std::string history_of(const char* time, const char* unit) {
+    std::string text = "    -1\n    58\nv2;100\nRUN-01\n24-03-11\nunit 1\nNacDir;deg\n";
+    text += "    1         1    0         0 AP                 1   3 NONE               0   0\n";
+    text += "         2         4         1  0.00000E+00  1.00000E+00  0.00000E+00\n";
+    for (const auto& [code, name, label] :
+         {std::tuple{17, "Time", time}, {12, "Acceleration", unit}, {0, "NONE", "NONE"}, {0, "NONE", "NONE"}})
+        text += fmt::format("{:10d}    0    0    0 {:<21}{:<20}\n", code, name, label);
+    return text + "  0.00000E+00  1.50000E+00 -2.00000E+00  1.00000E+00\n    -1\n";
+}
+
+TEST(Uff58, KnowsUnitsAsFrontEndsWriteThem) {
+    const std::vector<Signal> found = all_of(input_of(history_of("ms", "m/s2")));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].rate, 1000.0);
+    EXPECT_EQ(found[0].unit, "m/s^2");
+    EXPECT_EQ(found[0].samples, (std::vector<double>{0.0, 1.5, -2.0, 1.0}));
+    EXPECT_EQ(all_of(input_of(history_of("NONE", "(m/s^2)")))[0].rate, 1.0);
+    EXPECT_EQ(all_of(input_of(history_of("sec", "mm/s2")))[0].samples[1], 1.5e-3);
+    expect_error(error_of([] { all_of(input_of(history_of("ticks", "g"), "f.uff")); }),
+                 "the time is in \"ticks\" (that is no unit of time", "f.uff:10");
 }
 
 Signal uff58_noise(double rate, const std::string& unit, std::uint64_t seed) {

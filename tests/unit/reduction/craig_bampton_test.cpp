@@ -165,6 +165,11 @@ TEST(CraigBampton, OfAFreePartNeedsABoundaryThatHoldsIt) {
                 }).says("the boundary does not hold the part"));
 }
 
+TEST(CraigBampton, RefusesToLeaveDoublePrecision) {
+    const auto thrown = thrown_by([] { craig_bampton(chain_part(6, 1e-160, 1e160), {.boundary = {5}, .modes = 3}); });
+    EXPECT_EQ(thrown.kind, ErrorKind::numerical);
+}
+
 TEST(CraigBampton, RefusesABoundaryThatIsNone) {
     const ElasticPart part = chain_part(6, 1.0, 1.0);
     EXPECT_TRUE(thrown_by([&] { craig_bampton(part, {.modes = 2}); }).says("the boundary is empty"));

@@ -47,6 +47,18 @@ TEST(LowestModes, OfAChainAreItsClosedForm) {
     }
 }
 
+// powers of two are exact, so that the bits are those of other units
+TEST(LowestModes, AreTheSameInAnyUnits) {
+    const ElasticPart part = chain_part(400, 3e5, 0.02);
+    const Modes modes = lowest_modes(part.stiffness, part.mass, 12);
+    for (const int power : {-80, -40, 40, 80}) {
+        const double unit = std::ldexp(1.0, power);
+        const Modes scaled = lowest_modes(unit * part.stiffness, part.mass, 12);
+        EXPECT_EQ(scaled.squared, unit * modes.squared) << power;
+        EXPECT_EQ(scaled.shapes, modes.shapes) << power;
+    }
+}
+
 TEST(LowestModes, AreAsManyAsThereAre) {
     const ElasticPart part = chain_part(5, 1.0, 1.0);
     EXPECT_EQ(lowest_modes(part.stiffness, part.mass, 50).squared.size(), 5);

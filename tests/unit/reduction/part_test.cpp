@@ -33,6 +33,14 @@ TEST(ElasticPart, WithRowsOfNoMassIsTaken) {
     EXPECT_NO_THROW(expect_sound(part));
 }
 
+// products of its numbers leave double precision, the matrix does not
+TEST(ElasticPart, OfVeryLargeNumbersIsLookedAt) {
+    ElasticPart part = chain_part(4, 1e200, 1e200);
+    EXPECT_NO_THROW(expect_sound(part));
+    part.stiffness.coeffRef(0, 1) *= 2.0;
+    expect_refusal(part, "the stiffness is not symmetric");
+}
+
 TEST(ElasticPart, WithoutRowsIsRefused) {
     expect_refusal({}, "the part has no row");
 }

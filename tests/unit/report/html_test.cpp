@@ -7,7 +7,8 @@ namespace {
 
 Report hostile() {
     const std::string evil = "</pre><script>alert(1)</script>\"'&";
-    Report report{evil, {{evil, evil, "#000000", "#FFFFFF"}}, {evil}, "<svg></svg>", evil, {}, evil};
+    Report report{
+        evil, {{evil, evil}}, evil, {{evil, evil, "#000000", "#FFFFFF", evil}}, {evil}, "<svg></svg>", evil, {}, evil};
     report.sections.push_back(
         {evil, {evil}, "<?xml?><svg></svg>", evil, {{evil}, {{evil}}}, {{evil, evil, evil}}, evil, {evil, evil}});
     return report;
@@ -17,6 +18,18 @@ TEST(Html, LetsNoTextBecomeMarkup) {
     const std::string page = html(hostile());
     EXPECT_EQ(page.find("<script"), std::string::npos);
     EXPECT_EQ(page.find("</pre><"), page.find("</pre><p class=\"save\">"));
+}
+
+TEST(Html, HandsOverTheFirstSheetAlone) {
+    Report report{"seal", {{"Part", "51.3372-2"}}, "Squeals", {}, {}, {}, {}, {{"Where it is quiet"}}, "a model"};
+    report.sections.push_back({"Details"});
+    const std::string page = html(report);
+    const std::size_t end = page.find("</footer>\n</div>");
+    ASSERT_NE(end, std::string::npos);
+    for (const char* first : {"<dt>Part</dt><dd>51.3372-2</dd>", "Squeals", "Where it is quiet", "a model"})
+        EXPECT_LT(page.find(first), end) << first;
+    EXPECT_GT(page.find("Details"), end);
+    EXPECT_NE(page.find(".sheet { break-after: page; }"), std::string::npos);
 }
 
 TEST(Html, KeepsEachFigureApart) {

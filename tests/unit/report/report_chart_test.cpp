@@ -2,10 +2,12 @@
 
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/report/timed_advice.hpp"
+#include "stridor/report/timed_parts.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
+
+#include <thread>
 
 namespace stridor::report {
 namespace {
@@ -38,7 +40,7 @@ TEST(ChartToReport, HasTwoAxes) {
                 }).says("--x was given without --y"));
 }
 
-TEST(TimedAdvice, SaysWhyThereIsNoneWhenTheTimeIsUp) {
+TEST(TimedParts, SaysWhyThereIsNoneWhenTheTimeIsUp) {
     DesignResults results;
     results.design = io::read_case({io::ready_file("squeal"), "squeal.toml", {}});
     add_advice(results, {}, std::chrono::seconds(0));
@@ -46,7 +48,38 @@ TEST(TimedAdvice, SaysWhyThereIsNoneWhenTheTimeIsUp) {
     EXPECT_NE(results.without_advice.find("did not end within 0 s"), std::string::npos);
 }
 
-TEST(TimedAdvice, EndsWithWhoAskedForIt) {
+TEST(TimedParts, ChartsCoarselyWhatItHasTimeFor) {
+    DesignResults results;
+    const io::TomlSource source{io::ready_file("squeal"), "squeal.toml", {"run.duration=1000", "run.window=1000"}};
+    results.design = io::read_case(source);
+    const sweep::Study study = chart_to_report(source, results.design, {}, 8);
+    add_chart(results, study, {}, PartTime(0.0));
+    EXPECT_FALSE(results.chart.has_value());
+    EXPECT_EQ(results.about_chart, "No chart, however coarse, ended within 0 s; `stridor chart` takes its time.");
+    const sweep::Study quick = [&] {
+        sweep::Study short_run = study;
+        short_run.base.run.duration = short_run.base.run.window = 0.4;
+        return short_run;
+    }();
+    add_chart(results, quick, {}, PartTime(1e6));
+    ASSERT_TRUE(results.chart.has_value());
+    EXPECT_EQ(results.chart->study.x.points, 8);
+}
+
+TEST(TimedParts, TellsAnEndOfTimeFromAStop) {
+    const auto wait = [](const std::stop_token& stop) {
+        while (!stop.stop_requested())
+            std::this_thread::yield();
+        throw Error(ErrorKind::interrupted, {"stopped", "", ""});
+    };
+    EXPECT_FALSE(ends_within(PartTime(0.0), {}, wait));
+    EXPECT_TRUE(ends_within(PartTime(1e6), {}, [](const std::stop_token&) {}));
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(thrown_by([&] { ends_within(PartTime(1e6), source.get_token(), wait); }).kind, ErrorKind::interrupted);
+}
+
+TEST(TimedParts, EndsWithWhoAskedForIt) {
     DesignResults results;
     results.design = io::read_case({io::ready_file("squeal"), "squeal.toml", {}});
     std::stop_source source;

@@ -70,6 +70,21 @@ TEST(Sketch, KeepsItsLabelsApartAtEveryAngle) {
     }
 }
 
+// Seen in a browser: "V = 0.12 m/"
+TEST(Sketch, KeepsTheVelocityWithinItsFrame) {
+    const std::regex text(
+        "<text x=\"([0-9.]+)\" y=\"204.0\"><tspan font-style=\"italic\">V</tspan><tspan dy=\"0\">(.*?)<");
+    for (const double velocity : {0.1, 0.12, -0.0125, 1.234e-7}) {
+        parameters::Case c;
+        c.drive.kind = parameters::DriveKind::constant;
+        c.drive.velocity = velocity;
+        const std::string svg = sketch_svg(c);
+        std::smatch label;
+        ASSERT_TRUE(std::regex_search(svg, label, text)) << velocity;
+        EXPECT_LE(std::stod(label[1]) + 6.5 * static_cast<double>(label[2].length() + 1), 340.0) << label[2];
+    }
+}
+
 TEST(Sketch, OfSeveralJointsHasEachInAPlaceOfItsOwn) {
     const std::string svg = sketch_svg(parameters::two_lips());
     for (const char* text : {"viewBox=\"0 0 680 250\"", ">upper<", ">lower<", "70°", "60°", "translate(340.0 0)"})

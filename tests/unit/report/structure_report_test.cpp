@@ -4,6 +4,7 @@
 #include "stridor/report/design_report.hpp"
 #include "stridor/report/report_chart.hpp"
 #include "stridor/report/structure_sketch.hpp"
+#include "stridor/report/timed_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,17 +29,20 @@ const Section* section_named(const Report& report, const std::string& heading) {
 }
 
 TEST(DesignReport, ShowsEachContactOfAnOwnStructure) {
-    const DesignResults results = basic_results(chain(), {});
+    DesignResults results = basic_results(chain(), {});
+    add_sounds(results, {}, PartTime(1e6));
     const Report report = design_report(results);
     const Section* contacts = section_named(report, "Each contact");
     ASSERT_NE(contacts, nullptr);
-    ASSERT_EQ(contacts->table.rows.size(), 2U);
+    ASSERT_EQ(contacts->table.rows.size(), 4U) << "each way";
+    EXPECT_EQ(contacts->table.rows[0][1], "going");
+    EXPECT_EQ(contacts->table.rows[3][1], "coming");
     EXPECT_EQ(contacts->table.rows[0].size(), contacts->table.columns.size());
     EXPECT_EQ(contacts->table.rows[1].front(), "block2");
     EXPECT_EQ(contacts->table.rows[1][7], "1 N") << "half of the preload";
-    EXPECT_EQ(contacts->paragraphs.size(), 1U) << "they are one interface";
-    ASSERT_NE(section_named(report, "Motion"), nullptr);
-    EXPECT_NE(section_named(report, "Motion")->svg.find("<svg"), std::string::npos);
+    EXPECT_EQ(contacts->paragraphs.size(), 2U) << "they are one interface, each way";
+    ASSERT_NE(section_named(report, "Motion while coming"), nullptr);
+    EXPECT_NE(section_named(report, "Motion while coming")->svg.find("<svg"), std::string::npos);
     EXPECT_NE(report.sketch.find("block2"), std::string::npos);
     EXPECT_EQ(report.sketch.find("incidence"), std::string::npos);
     EXPECT_NE(section_named(report, "Stability of steady sliding"), nullptr);
@@ -46,7 +50,7 @@ TEST(DesignReport, ShowsEachContactOfAnOwnStructure) {
     ASSERT_NE(sound, nullptr);
     EXPECT_NE(sound->paragraphs.front().find("block1 velocity along x"), std::string::npos);
     // the case in it is the case
-    const Case back = io::read_case({section_named(report, "The case as a file")->file.text, "case.toml", {}});
+    const Case back = io::read_case({section_named(report, "The case")->file.saved, "case.toml", {}});
     EXPECT_EQ(parameters::canonical_text(back), parameters::canonical_text(results.design));
 }
 
@@ -55,11 +59,57 @@ TEST(DesignReport, ShowsEachOfSeveralJoints) {
     const Report report = design_report(basic_results(c, {}));
     const Section* contacts = section_named(report, "Each contact");
     ASSERT_NE(contacts, nullptr);
-    EXPECT_EQ(contacts->table.rows.size(), 2U);
+    EXPECT_EQ(contacts->table.rows.size(), 4U) << "each way";
     EXPECT_EQ(
         section_named(design_report(basic_results(io::read_case({io::ready_file("squeal"), "squeal.toml", {}}), {})),
                       "Each contact"),
         nullptr);
+}
+
+// it locks where it goes and squeals where it comes; its file has the first as velocity
+TEST(DesignReport, IsOfBothDirectionsOfAConstantDrive) {
+    const io::TomlSource source{io::ready_file("weatherstrip"), "seal.toml", {}};
+    const Case c = io::read_case(source);
+    DesignResults results = basic_results(c, {});
+    add_sounds(results, {}, PartTime(1e6));
+    EXPECT_EQ(headline(results), "locks while going, squeals while coming");
+    ASSERT_EQ(results.verdicts.size(), 2U);
+    EXPECT_EQ(results.verdicts[1].category, classification::Category::squeal);
+    EXPECT_NEAR(results.verdicts[1].evidence.alternation.frequency, 262.6, 0.1);
+    EXPECT_EQ(results.sounds.size(), 2U);
+    const Report report = design_report(results);
+    EXPECT_EQ(report.headline, "L" + headline(results).substr(1));
+    EXPECT_NE(report.lead.at(1).find("While the surface is coming (V < 0) the contact squeals"), std::string::npos);
+    EXPECT_EQ(report.badges.at(1).word, "squeal");
+    const sweep::Study study = chart_to_report(source, c, {}, 8);
+    EXPECT_EQ(study.directions.size(), 2U);
+    EXPECT_EQ(study.starts, advice::starts_of(results.standing.space));
+}
+
+TEST(DesignReport, OfOneDirectionSaysThatAlone) {
+    advice::AdviceOptions options;
+    options.runs.directions = {parameters::Direction::going};
+    const DesignResults results =
+        basic_results(io::read_case({io::ready_file("weatherstrip"), "seal.toml", {}}), options);
+    EXPECT_EQ(results.verdicts.size(), 1U);
+    EXPECT_EQ(headline(results).find("coming"), std::string::npos);
+}
+
+TEST(DesignReport, ExplainsWhyMotionAndEarDiffer) {
+    DesignResults results = basic_results(chain(), {});
+    for (const parameters::Direction direction : {parameters::Direction::going, parameters::Direction::coming}) {
+        DesignSound sound{direction, {}, "RIFF"};
+        sound.heard.category = direction == parameters::Direction::going ? results.verdicts.front().category
+                                                                         : classification::Category::squeak;
+        results.sounds.push_back(sound);
+    }
+    ASSERT_NE(results.verdicts.at(1).category, classification::Category::squeak);
+    const Report report = design_report(results);
+    const HtmlTable& both = section_named(report, "What it sounds like")->table;
+    ASSERT_EQ(both.rows.size(), 1U) << "where they agree there is nothing to explain";
+    EXPECT_EQ(both.rows[0][0], "coming");
+    EXPECT_EQ(both.columns[1], "by the motion: this counts");
+    EXPECT_EQ(both.rows[0][2], "By ear: squeak.");
 }
 
 TEST(ChartToReport, IsOverTheStiffnessWhereALoadPresses) {

@@ -36,16 +36,6 @@ TEST(VerdictWords, DoNotDecideWhatIsUndecided) {
     Verdict thin = verdict(record::Phase::all, Category::undecided);
     thin.reasons = {"fewer intervals than 6"};
     EXPECT_NE(plain_words(thin).find("there is no verdict: fewer intervals than 6"), std::string::npos);
-    EXPECT_EQ(summary({thin, verdict(record::Phase::going, Category::none)}),
-              "Not every direction of motion could be judged.");
-}
-
-TEST(VerdictWords, SumUpTheDirections) {
-    const Verdict noisy = verdict(record::Phase::going, Category::squeak);
-    const Verdict quiet = verdict(record::Phase::coming, Category::none);
-    EXPECT_EQ(summary({noisy, quiet}), "The model predicts noise of this design while going, and none while coming.");
-    EXPECT_EQ(summary({quiet}), "The model predicts no noise of this design.");
-    EXPECT_EQ(summary({noisy}), "The model predicts noise of this design.");
 }
 
 }  // namespace

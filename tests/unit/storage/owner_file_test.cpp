@@ -264,8 +264,46 @@ TEST_F(OwnerOf, TellsAtOnceWhenTheFileChangesAndWhenItDoesNot) {
     owner.end_change();
     EXPECT_EQ(changes(), 4);
     leave({"n2", 17, "", "another", 0}, 0);
-    EXPECT_NO_THROW(owner.begin_change());
+    EXPECT_TRUE(thrown_by([&] { owner.begin_change(); }).says("process 17 of host n2 has taken it over"));
+    EXPECT_TRUE(thrown_by([&] { owner.end_change(); }).says("process 17 of host n2 has taken it over"));
+    EXPECT_FALSE(owner.may_change());
     EXPECT_EQ(owner_of(file_)->owner.mark, "another") << "its file is not touched";
+}
+
+// a merge holds no lock on what it replaces, so a neighbour's lock says nothing
+TEST_F(OwnerOf, AFileThatANeighbourFillsWithoutALockIsRefusedEvenWithOne) {
+    OwnerOptions without_lock = options("n1");
+    without_lock.has_lock = false;
+    const OwnerFile merging(file_, without_lock);
+    EXPECT_TRUE(thrown_by([&] { OwnerFile(file_, options("n1")); }).says("of host n1 fills it"));
+}
+
+// it stands still with the lock: who comes may not make it lose its claim
+TEST_F(OwnerOf, AFileOfASilentProcessOfThisHostIsLeftToTheLockToo) {
+    leave({"n1", ::getpid(), "", "someone", 5}, 1000);
+    { const OwnerFile other(file_, options("n1")); }
+    EXPECT_EQ(owner_of(file_)->owner.mark, "someone");
+}
+
+// who took over died before what the one before him has open was out of the way
+TEST_F(OwnerOf, AFileThatWasNotHandedOverMayStillBeInOtherHands) {
+    leave({"n2", 17, "", "stands still", 5}, 100);
+    Owner died{"n1", dead_process(), "", "died", 5};
+    {
+        OwnerFile owner(file_, options("n1"));
+        EXPECT_TRUE(owner.may_be_in_other_hands());
+        EXPECT_FALSE(owner_of(file_)->owner.has_files);
+        owner.settle();
+        EXPECT_TRUE(owner_of(file_)->owner.has_files);
+    }
+    for (const bool has_files : {true, false}) {
+        died.has_files = has_files;
+        leave(died, 1);
+        OwnerFile owner(file_, options("n1"));
+        EXPECT_EQ(owner.is_claimed(), !has_files);
+        owner.confirm();
+        EXPECT_EQ(owner.may_be_in_other_hands(), !has_files);
+    }
 }
 
 TEST_F(OwnerOf, AProcessOfThisHostThatIsNoMoreIsNotAlive) {
@@ -284,8 +322,14 @@ TEST(OwnerText, IsReadAsWrittenAndHasOneLength) {
     EXPECT_EQ(back.mark, owner.mark);
     EXPECT_EQ(back.count, owner.count);
     EXPECT_EQ(back.changes, owner.changes);
+    EXPECT_TRUE(back.has_lock);
+    EXPECT_TRUE(back.has_files);
     Owner other = owner;
     other.count = 0;
+    other.has_lock = false;
+    other.has_files = false;
+    EXPECT_FALSE(read_owner(owner_text(other)).has_lock);
+    EXPECT_FALSE(read_owner(owner_text(other)).has_files);
     EXPECT_EQ(owner_text(other).size(), owner_text(owner).size());
     EXPECT_EQ(read_owner("nonsense\n= =\nprocess = x").process, 0);
     other.host.assign(5000, 'h');
@@ -298,6 +342,8 @@ TEST(OwnerText, SaysHowLongAgo) {
     EXPECT_EQ(ago_text(75.0), "75 s ago");
     EXPECT_EQ(ago_text(600.0), "10 min ago");
     EXPECT_EQ(ago_text(3.0 * 3600.0), "3 h ago");
+    EXPECT_EQ(ago_text(-600.0), "10 min from now");
+    EXPECT_EQ(ago_text(-3.0 * 3600.0), "3 h from now");
 }
 
 }  // namespace

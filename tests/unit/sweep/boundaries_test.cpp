@@ -14,9 +14,11 @@ namespace stridor::sweep {
 namespace {
 
 using classification::Category;
+using classification::Quiet;
 using support::whole_between;
 
-// a chart of one direction drawn in letters, its upper row first: n none, l squeal, k squeak, c creak, x failed
+// a chart of one direction drawn in letters, its upper row first: n slides, s sticks, d locks (silent),
+// l squeal, k squeak, c creak, x failed
 SweepResult drawn(const std::vector<std::string>& rows) {
     SweepResult result;
     result.study = small_study();
@@ -25,14 +27,16 @@ SweepResult drawn(const std::vector<std::string>& rows) {
                       Scale::linear};
     result.study.y = {"contact.static_friction", 0.0, static_cast<double>(rows.size() - 1),
                       static_cast<int>(rows.size()), Scale::linear};
-    const std::map<char, Category> categories{
-        {'n', Category::none}, {'l', Category::squeal}, {'k', Category::squeak}, {'c', Category::creak}};
+    const std::map<char, Quiet> silences{{'n', Quiet::slides}, {'s', Quiet::sticks}, {'d', Quiet::locks}};
+    const std::map<char, Category> categories{{'l', Category::squeal}, {'k', Category::squeak}, {'c', Category::creak}};
     for (auto row = rows.rbegin(); row != rows.rend(); ++row)
         for (const char letter : *row) {
             CellVerdict& cell = result.cells.emplace_back();
             if (letter == 'x') continue;
             cell.status = Status::done;
-            cell.category = categories.at(letter);
+            const auto silent = silences.find(letter);
+            cell.category = silent == silences.end() ? categories.at(letter) : Category::none;
+            if (silent != silences.end()) cell.quiet = silent->second;
         }
     return result;
 }
@@ -93,6 +97,15 @@ TEST(Boundaries, SurroundCellsWithoutAResult) {
     EXPECT_EQ(lines[0].second, "failed");
 }
 
+// a contact that locks is no quiet design; one that sticks is `none` as one that slides is
+TEST(Boundaries, PartWhatLocksFromWhatIsQuiet) {
+    const std::vector<Boundary> lines = boundaries(drawn({"nsd", "nsd"}));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].first, "none");
+    EXPECT_EQ(lines[0].second, "locks");
+    EXPECT_EQ(points_of(lines[0]), (std::vector<Point>{{1.5, 0.0}, {1.5, 1.0}}));
+}
+
 TEST(Boundaries, SayHowFarOffTheyMayLie) {
     SweepResult result = drawn({"nnl", "nnl"});
     result.study.x = {"contact.preload", 1.0, 100.0, 3, Scale::logarithmic};
@@ -124,7 +137,7 @@ RC_GTEST_PROP(Boundaries, PassEveryPairOfNeighboursThatDiffersOnce, ()) {
     std::vector<std::string> rows(static_cast<std::size_t>(*whole_between(2, 9)));
     for (std::string& row : rows)
         for (int k = 0; k < columns; ++k)
-            row += "nlkcx"[*whole_between(0, 4)];
+            row += "ndlkcx"[*whole_between(0, 5)];
     const SweepResult result = drawn(rows);
     std::set<Point> expected;
     const auto letter = [&](std::size_t iy, std::size_t ix) { return rows[rows.size() - 1 - iy][ix]; };

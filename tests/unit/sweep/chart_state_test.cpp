@@ -81,6 +81,20 @@ TEST_F(StateOf, AMergedChartNeedsNoShares) {
     EXPECT_EQ(merged.chart.standing, StoreStanding::complete);
 }
 
+TEST_F(StateOf, AChartThatWasStoppedSaysHowMuchItsStoreLacks) {
+    {
+        Store store(folder_ / "chart.sqlite", study_);
+        std::vector<IndexedCell> cells;
+        for (std::size_t index = 0; index < 100; ++index)
+            cells.push_back({index, Cell{}});
+        store.write(cells);
+    }
+    const ChartState stopped = state();
+    EXPECT_EQ(stopped.chart.standing, StoreStanding::partial);
+    EXPECT_EQ(stopped.chart.cells, 100U);
+    EXPECT_EQ(stopped.chart.missing, 5020U);
+}
+
 TEST_F(StateOf, AStoreThatIsFilledIsToldByItsOwnerAndNotOpened) {
     fill({0, 2}, 3072);
     const std::filesystem::path file = share_file(folder_.path(), {1, 2});

@@ -117,6 +117,21 @@ TEST_F(Merge, GivesTheSameBytesHoweverOftenAndInWhateverOrder) {
     EXPECT_EQ(bytes("single"), bytes("once"));
 }
 
+TEST_F(Merge, GivesTheSameBytesHoweverFewStoresAreOpenAtATime) {
+    const Study study = plain_study();
+    make_shares(study, 1, folder_ / "one");
+    merge(study, folder_ / "one");
+    for (const std::size_t most : {2U, 3U, 7U}) {
+        const std::string name = "open-" + std::to_string(most);
+        make_shares(study, 16, folder_ / name);
+        make_share(study, {1, 5}, folder_ / name);  // its cells are those of others, too
+        MergeOptions options;
+        options.most_open = most;
+        EXPECT_EQ(merge(study, folder_ / name, options).cells, cell_count(study));
+        EXPECT_EQ(bytes(name), bytes("one")) << most;
+    }
+}
+
 TEST_F(Merge, SaysWhatIsMissing) {
     const Study study = plain_study();
     for (const std::size_t index : {0U, 2U, 3U})

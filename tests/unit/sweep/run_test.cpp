@@ -301,5 +301,21 @@ TEST(RunInMemory, ShowsEveryRoundWithTheNearestOfTheKnownCells) {
     EXPECT_EQ(all_cells(provisional(study, memory)).size(), cell_count(study));
 }
 
+TEST(RunInMemory, HasNoResultInADirectionOfWhichNothingIsKnownYet) {
+    const Study study = refined_study();
+    const auto memory = std::make_shared<MemoryKeeper>(study);
+    Cell quiet;
+    quiet.status = Status::done;
+    quiet.category = classification::Category::none;
+    memory->write(std::vector{IndexedCell{2, quiet}});
+    const SweepResult result = provisional(study, memory);
+    ASSERT_EQ(study.directions.size(), 2U);
+    for (std::size_t index = 0; index < result.cells.size(); ++index) {
+        const bool is_first = index < result.cells.size() / 2;
+        EXPECT_EQ(result.cells[index].status, is_first ? Status::done : Status::failed) << index;
+        EXPECT_EQ(source_of(result, index), is_first ? 2U : index);
+    }
+}
+
 }  // namespace
 }  // namespace stridor::sweep

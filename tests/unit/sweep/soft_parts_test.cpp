@@ -81,7 +81,7 @@ std::string number_and_unit(const std::string& cell) {
 
 // the rows of a table of a page, by their first cell; the rest as it stands
 std::map<std::string, std::vector<std::string>> table_of(const std::string& page) {
-    std::ifstream file(std::string(STRIDOR_SOURCE_DIR) + page);
+    std::ifstream file(STRIDOR_SOURCE_DIR + page);
     std::map<std::string, std::vector<std::string>> rows;
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("| ")) continue;

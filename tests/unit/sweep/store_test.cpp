@@ -40,7 +40,7 @@ Cell any_cell() {
         *whole_between(0, static_cast<int>(classification::category_names.size()) - 1));
     cell.message = *rc::gen::arbitrary<std::string>();
     const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
-    if (is_none) cell.quiet = static_cast<classification::Quiet>(*whole_between(1, 2));
+    if (is_none) cell.quiet = static_cast<classification::Quiet>(*whole_between(1, 3));
     for (const CellFigure& figure : cell_figures())
         set_figure(cell, figure, std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>()));
     return cell;
@@ -101,7 +101,12 @@ TEST_F(StoreFile, ReadsTheFiguresThatAreAskedForAndTheRestOfTheCell) {
     for (const CellFigure& figure : cell_figures())
         set_figure(cell, figure, static_cast<double>(figure.place));
     cell.message = "why";
-    cell.starts = {StartVerdict{Status::diverged}};
+    using classification::Category;
+    using classification::Quiet;
+    cell.starts = {{Status::diverged},
+                   {Status::done, Category::none, Quiet::slides},
+                   {Status::done, Category::none, Quiet::sticks},
+                   {Status::done, Category::none, Quiet::locks}};
     store.write(std::vector{IndexedCell{1, cell}});
     const std::vector<CellFigure> wanted{cell_figure("mode_frequency"), cell_figure("slip")};
     std::size_t seen = 0;
@@ -146,7 +151,7 @@ TEST_F(StoreFile, KeepsTheNumbersThatOthersLose) {
 TEST_F(StoreFile, KeepsTheVerdictOfEachStart) {
     Cell cell = cell_with(0.1);
     cell.starts = {{Status::done, classification::Category::squeal},
-                   {Status::done, classification::Category::none},
+                   {Status::done, classification::Category::none, classification::Quiet::slides},
                    {Status::step_limit, classification::Category::undecided}};
     cell.agreement = Agreement::quiet_unless_disturbed;
     Store store(file_, study_);
@@ -161,13 +166,18 @@ TEST_F(StoreFile, KnowsAndCountsWhatItHolds) {
     failed.status = Status::failed;
     Store store(file_, study_);
     EXPECT_EQ(store.stored(), std::vector<bool>(cell_count(study_)));
-    store.write(std::vector<IndexedCell>{{7, cell_with(1.0)}, {2, cell_with(2.0)}, {4, failed}});
+    Cell locked = cell_with(3.0);
+    locked.category = classification::Category::none;
+    locked.quiet = classification::Quiet::locks;
+    store.write(std::vector<IndexedCell>{{7, cell_with(1.0)}, {2, cell_with(2.0)}, {4, failed}, {5, locked}});
     std::vector<bool> expected(cell_count(study_));
-    expected[2] = expected[4] = expected[7] = true;
+    expected[2] = expected[4] = expected[5] = expected[7] = true;
     EXPECT_EQ(store.stored(), expected);
     const Counts counts = store.counts();
-    EXPECT_EQ(counts.statuses[static_cast<std::size_t>(Status::done)], 2U);
+    EXPECT_EQ(counts.statuses[static_cast<std::size_t>(Status::done)], 3U);
     EXPECT_EQ(counts.statuses[static_cast<std::size_t>(Status::failed)], 1U);
+    EXPECT_EQ(counts.locks, 1U);
+    EXPECT_EQ(counts.categories[static_cast<std::size_t>(classification::Category::none)], 0U);
     EXPECT_EQ(counts.categories[static_cast<std::size_t>(classification::Category::squeal)], 2U);
     EXPECT_EQ(counts.categories[static_cast<std::size_t>(classification::Category::undecided)], 0U);
 }

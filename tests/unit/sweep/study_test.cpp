@@ -234,6 +234,13 @@ TEST(Preview, AsksForLessAndStaysAStudyThatCanBeComputed) {
     EXPECT_EQ(quick.base.run.duration, 0.25 * study.base.run.duration);
     EXPECT_EQ(quick.base.run.window, 0.5 * quick.base.run.duration);
     EXPECT_NO_THROW(check(quick));
+    // of few points none is left out: an island between four corners that agree is not looked for
+    study.refine = 0;
+    EXPECT_EQ(preview(study).refine, 0);
+    study.y.points = 16;
+    EXPECT_EQ(preview(study).refine, 1);
+    study.y.points = 64;
+    EXPECT_EQ(preview(study).refine, 3);
     // a sinusoidal drive keeps two of its five periods: each phase occurs
     study.base = parameters::paper_case(parameters::PaperCase::squeal);
     EXPECT_EQ(preview(study).base.run.duration, 0.4);

@@ -1,6 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { contrast, dark, fillOf, light, lightness, sequential, textOn } from "../../../src/draw/colours.ts";
+import {
+  contrast,
+  dark,
+  fillOf,
+  light,
+  lightness,
+  paleOf,
+  sequential,
+  silenceOf,
+  textOn,
+  wordOf,
+} from "../../../src/draw/colours.ts";
 
 for (const palette of [light, dark]) {
   test(`${palette.name}: text reads on its grounds (WCAG AA)`, () => {
@@ -23,6 +34,17 @@ for (const palette of [light, dark]) {
       .map((name) => lightness(fillOf(palette, name).ground))
       .sort((a, b) => a - b);
     for (let k = 1; k < shades.length; ++k) assert.ok(shades[k] - shades[k - 1] >= 12, shades.join(" "));
+  });
+
+  test(`${palette.name}: what is not computed is paler than any category, and never looks quiet`, () => {
+    const panel = lightness(palette.panel);
+    const quiet = Math.abs(lightness(fillOf(palette, "none").ground) - panel);
+    for (const name of ["none", "none (sticks)", "squeak", "squeal", "creak"]) {
+      const pale = Math.abs(lightness(paleOf(palette, name).ground) - panel);
+      assert.ok(pale < 0.5 * Math.abs(lightness(fillOf(palette, name).ground) - panel), `${name} ${pale}`);
+      assert.equal(paleOf(palette, name).texture, "plain");
+    }
+    assert.ok(Math.abs(lightness(paleOf(palette, "none").ground) - panel) < quiet - 4);
   });
 
   test(`${palette.name}: each noise has a texture of its own`, () => {
@@ -55,4 +77,13 @@ test("text on a ground is whichever reads better", () => {
 
 test("an unknown category is drawn as no result, never as quiet", () => {
   for (const name of [undefined, null, "what"]) assert.equal(fillOf(light, name).texture, "crossed");
+});
+
+test("a verdict says once that it locks, and why it is quiet beside none", () => {
+  const said = (quiet_because) => {
+    const verdict = { category: "none", quiet_because };
+    return [wordOf(verdict), silenceOf(verdict)].filter(Boolean).join(" ");
+  };
+  assert.equal(said("locks"), "locks");
+  assert.equal(said("sticks"), "none sticks");
 });

@@ -8,9 +8,12 @@ import {
   percent,
   plain,
   quantity,
+  setUnits,
   symbolParts,
   symbolText,
   title,
+  withUnit,
+  writtenIn,
 } from "../../../src/draw/format.ts";
 import { random } from "../random.mjs";
 
@@ -35,6 +38,37 @@ test("quantities are written as people write them", () => {
     [166.2, "dB", "166.2 dB"],
   ];
   for (const [value, unit, text] of cases) assert.equal(quantity(value, unit), text);
+});
+
+test("stiffness, mass, velocity and length are written as engineers do, where that is chosen", () => {
+  const cases = [
+    [1500, "N/m", "1.5 N/mm"],
+    [1e7, "N/m", "10000 N/mm"],
+    [0.0040012345, "kg", "4.001 g"],
+    [2.5, "kg", "2.5 kg"],
+    [0.12, "m/s", "120 mm/s"],
+    [1.2, "m", "1200 mm"],
+    [-2e-6, "m", "-0.002 mm"],
+    [1, "N*s/m", "1 N·s/m"],
+    [20, "N", "20 N"],
+    [70, "deg", "70°"],
+    [NaN, "N/m", "–"],
+  ];
+  setUnits("engineering");
+  try {
+    for (const [value, unit, text] of cases) assert.equal(quantity(value, unit), text);
+    assert.deepEqual(writtenIn("kg", 0.4), { factor: 1e3, unit: "g" });
+    assert.deepEqual(writtenIn("Hz", 400), { factor: 1, unit: "Hz" });
+    // a number alone is in the unit that stands there, and the program reads it
+    assert.equal(withUnit("4.0012345", "kg", 0.1), "4.0012345 g");
+    assert.equal(withUnit("2.7", "kg", 2.5), "2.7");
+    assert.equal(withUnit("5 kg", "kg", 0.1), "5 kg");
+    assert.equal(withUnit("35", "N", 20), "35");
+  } finally {
+    setUnits("si");
+  }
+  assert.equal(quantity(1500, "N/m"), "1.5 kN/m");
+  assert.equal(withUnit("4", "kg", 0.1), "4");
 });
 
 test("a number without a unit is read at once, all else is the program's to read", () => {

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { motionOf } from "../../../src/data/frames.ts";
 import { columnOf, laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
 import { bandsHeight, contactAt, sharesOf } from "../../../src/draw/bands.ts";
-import { paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
+import { mostLanes, paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
 
 const perContact = ["normal_force", "friction_force", "gap"];
 
@@ -189,4 +189,12 @@ test("the shares of a row's parts add up to the time that was seen", () => {
   const [separation, stick, slip] = sharesOf(stays, [0, 1], 10);
   for (let k = 0; k < 10; ++k) assert.ok(Math.abs(separation[k] + stick[k] + slip[k] - 1) < 1e-6);
   assert.ok(Math.abs(stick[2] - 0.5) < 1e-6 && Math.abs(slip[2] - 0.5) < 1e-6 && separation[9] === 1);
+});
+
+test("where there is no room for the lanes of all contacts those of the chosen one are shown", () => {
+  const motion = answer(["upper", "middle", "lower"]);
+  const titles = (height, chosen) =>
+    lanesOf(motion, new Set(["velocity", "force"]), chosen, mostLanes(motion, height)).map(({ title }) => title);
+  assert.equal(titles(400, 0).length, 6);
+  assert.deepEqual(titles(260, 1), ["middle: velocity", "middle: force"]);
 });

@@ -166,3 +166,20 @@ test("a command is one for a shell, whatever a link says", () => {
     assert.throws(() => command({ preset: "squeal", set: { "drive.kind": text } }), /no command/);
   }
 });
+
+test("a value of all joints takes the place of each one's own, and stands last, as the program reads them", () => {
+  const design = { preset: "file", set: {} };
+  const own = withValues(design, { "joint.upper.contact.preload": "1", "joint.lip-2.mass": "2", "plate.mass": "3" });
+  assert.deepEqual(overrides(withValues(own, { "contact.preload": "4" })), [
+    "joint.lip-2.mass=2",
+    "plate.mass=3",
+    "contact.preload=4",
+  ]);
+  assert.deepEqual(Object.keys(withValues(own, { "joint.mass": "4" }).set), [
+    "joint.upper.contact.preload",
+    "plate.mass",
+    "joint.mass",
+  ]);
+  const later = withValues(withValues(own, { "contact.preload": "4" }), { "joint.upper.contact.preload": "5" });
+  assert.equal(Object.keys(later.set).at(-1), "joint.upper.contact.preload");
+});

@@ -1,6 +1,8 @@
 #include "stridor/console/results/advice_text.hpp"
 
+#include "stridor/base/text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -46,17 +48,23 @@ std::string verdict_words(const DesignSpace& space, const DesignVerdict& verdict
     return space.phases.size() == 2 ? "both " + first : first;
 }
 
+// what was found to one side; nothing is said of what nobody looked at
 std::string change_words(const DesignSpace& space, const ParameterMargin& margin, const advice::ScanSide& side) {
     if (side.change)
         return measured(space, margin.parameter, side.change->value) + " " + verdict_words(space, side.change->beyond);
-    return "-";
+    return side.last == margin.value ? "not looked at" : "no change";
+}
+
+// "0.6 to 60 N"
+std::string looked_at(const DesignSpace& space, const ParameterMargin& margin) {
+    return fmt::format("{:.4g} to {}", margin.below.last, measured(space, margin.parameter, margin.above.last));
 }
 
 std::string quiet_words(const DesignSpace& space, const ParameterMargin& margin) {
     std::string text;
     for (const advice::ScanSide* side : {&margin.below, &margin.above})
         if (side->quiet) text += (text.empty() ? "" : ", ") + measured(space, margin.parameter, side->quiet->value);
-    return text.empty() ? "-" : text;
+    return text.empty() ? "nowhere" : text;
 }
 
 // columns padded to their widest entry; the first row is the heading
@@ -92,14 +100,15 @@ std::string ends(const Advice& advice) {
 std::string margins_table(const Advice& advice) {
     const DesignSpace& space = advice.space;
     const bool was_quiet = advice::is_quiet(advice.present);
-    std::vector<std::vector<std::string>> rows{{"parameter", "now", "changes below", "changes above"}};
-    if (!was_quiet) rows.front().push_back("quiet at");
+    std::vector<std::vector<std::string>> rows{{"parameter", "now", "looked at", "changes below", "changes above"}};
+    if (!was_quiet) rows.front().push_back("slides quietly at");
     for (const ParameterMargin& margin : advice.margins) {
         rows.push_back({space.parameters[margin.parameter].key, measured(space, margin.parameter, margin.value),
-                        change_words(space, margin, margin.below), change_words(space, margin, margin.above)});
+                        looked_at(space, margin), change_words(space, margin, margin.below),
+                        change_words(space, margin, margin.above)});
         if (!was_quiet) rows.back().push_back(quiet_words(space, margin));
     }
-    return columns(rows) + ends(advice);
+    return columns(rows) + ends(advice) + advice::scan_words() + "\n";
 }
 
 std::string setting_words(const DesignSpace& space, const DesignChange& change) {
@@ -109,6 +118,17 @@ std::string setting_words(const DesignSpace& space, const DesignChange& change) 
                             each.from, with_unit(space, each.parameter, fmt::format("{:.6g}", each.to)));
     }
     return text;
+}
+
+// "going and coming, from rest, sliding and stuck"
+std::string judged_words(const DesignSpace& space) {
+    std::vector<std::string> ways;
+    for (const record::Phase phase : space.phases)
+        if (phase != record::Phase::all) ways.emplace_back(record::phase_names[static_cast<std::size_t>(phase)]);
+    std::vector<std::string> starts;
+    for (const parameters::Initial start : advice::starts_of(space))
+        starts.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
+    return (ways.empty() ? "" : base::listed(ways) + ", ") + "from " + base::listed(starts);
 }
 
 std::string changes_list(const Advice& advice) {
@@ -123,32 +143,18 @@ std::string changes_list(const Advice& advice) {
     const DesignChange& best = advice.changes[*advice.recommended];
     return columns(rows) +
            fmt::format(
-               "\n* advised: {}\n  verified by {} runs: quiet from every start, and with 1 % more and less of each\n",
-               advice::settings_of(space, best), best.runs);
-}
-
-// the parameters that a design as a whole is nearest through, the largest parts first
-std::string parts(const DesignSpace& space, const advice::NearestDesign& nearest) {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t k = 0; k < space.parameters.size(); ++k)
-        order.emplace_back(-std::abs(nearest.shares[k] - space.origin[k]), k);
-    std::sort(order.begin(), order.end());
-    std::string text;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
-        const std::size_t parameter = order[k].second;
-        if (order[k].first == 0.0) break;
-        text += fmt::format(
-            "{}{} {}", text.empty() ? "" : ", ", space.parameters[parameter].key,
-            measured(space, parameter, advice::value_at(space.parameters[parameter], nearest.shares[parameter])));
-    }
-    return text;
+               "\n* advised: {}\n  verified by {} runs of {} designs: quiet {}, and with 1 % more and less of each\n",
+               advice::settings_of(space, best), best.runs, best.designs, judged_words(space));
 }
 
 std::string nearest_line(const Advice& advice) {
-    const char* wanted = advice::is_quiet(advice.present) ? "noisy" : "quiet";
-    if (!advice.nearest) return fmt::format("as a whole: no {} design was found within these ranges\n", wanted);
-    return fmt::format("as a whole: {} at a distance of {:.3f}, mostly through {}\n", wanted, advice.nearest->distance,
-                       parts(advice.space, *advice.nearest));
+    const bool was_quiet = advice::is_quiet(advice.present);
+    if (!advice.nearest)
+        return fmt::format("as a whole: no {} design was found within these ranges\n",
+                           was_quiet ? "other than quiet" : "quiet");
+    return fmt::format("as a whole: {} with {}\n",
+                       was_quiet ? verdict_words(advice.space, advice.nearest->verdict) : "quiet",
+                       advice::nearest_words(advice.space, *advice.nearest));
 }
 
 std::string ranking_line(const Advice& advice) {
@@ -157,8 +163,8 @@ std::string ranking_line(const Advice& advice) {
     for (std::size_t k = 0; k < std::min<std::size_t>(3, advice.ranking.size()); ++k) {
         const std::size_t parameter = advice.ranking[k];
         const VerdictChange& change = *advice::nearest_change(advice.space, advice.margins[parameter]);
-        text += fmt::format("{}{} ({:.3f})", k > 0 ? ", " : "", advice.space.parameters[parameter].key,
-                            std::abs(change.share - advice.space.origin[parameter]));
+        text += fmt::format("{}{} at {}", k > 0 ? ", " : "", advice.space.parameters[parameter].key,
+                            with_unit(advice.space, parameter, fmt::format("{:.5g}", change.value)));
     }
     return text + "\n";
 }
@@ -169,7 +175,7 @@ std::string percent(const advice::Estimate& estimate) {
 }
 
 std::string chance_lines(const advice::Chance& chance) {
-    std::string text = "\nchance of noise within";
+    std::string text = fmt::format("\nchance of noise within{}", chance.is_default ? " usual tolerances," : "");
     for (std::size_t k = 0; k < chance.tolerances.size(); ++k) {
         const advice::Tolerance& each = chance.tolerances[k];
         const std::string_view unit = parameters::unit_of(each.key);
@@ -189,13 +195,17 @@ std::string chance_lines(const advice::Chance& chance) {
 std::string advice_text(const Advice& advice) {
     const DesignSpace& space = advice.space;
     std::string text = styled(space.base.title.empty() ? "case" : space.base.title, Style::bold, STDOUT_FILENO) + "\n";
-    text += "now: " + verdict_words(space, advice.present) +
-            (advice.present.message.empty() ? "" : " (" + advice.present.message + ")") + "\n\n";
-    text += margins_table(advice) + "\n" + ranking_line(advice) + nearest_line(advice);
+    text +=
+        advice::headline(advice) + (advice.present.message.empty() ? "" : " (" + advice.present.message + ")") + "\n";
+    if (advice.near)
+        for (const std::string& words : advice::turn_words(space, *advice.near))
+            text += "  " + words + "\n";
+    text += "judged " + judged_words(space) + "\n\n" + margins_table(advice) + "\n" + ranking_line(advice) +
+            nearest_line(advice);
     if (!advice::is_quiet(advice.present)) text += "\n" + changes_list(advice);
     if (advice.chance) text += chance_lines(*advice.chance);
     text +=
-        "\ndistances are shares of the ranges that were looked at; a verdict is the model's. Islands narrower than "
+        "\ndistances are shares of what was looked at; a verdict is the model's. Islands narrower than "
         "the\n"
         "scan may be missed.\n";
     return text;

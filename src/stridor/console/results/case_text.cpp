@@ -29,6 +29,10 @@ constexpr double seconds_per_moreau_step = 1e-7;
 constexpr double seconds_per_mode_and_contact = 2e-9;
 // with two thousand events a second of motion
 constexpr double seconds_per_exact_step = 1e-7;
+// what the Taylor engine needs, which runs several joints and structures: likewise, within a factor of three
+constexpr double seconds_per_taylor_step = 1e-6;
+constexpr double seconds_per_taylor_contact = 1e-6;
+constexpr double seconds_per_taylor_mode_and_contact = 4.5e-8;
 
 std::string temperature_table_text(const parameters::Case& c) {
     std::string text = fmt::format("{:<20} = {}\n", "at", fmt::join(parameters::node_texts(c), ", "));
@@ -131,20 +135,29 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
     return text;
 }
 
+double exact_seconds_per_step(const parameters::Case& c) {
+    if (!c.own_structure && c.further_joints.empty()) return seconds_per_exact_step;
+    const auto contacts = static_cast<double>(parameters::contact_count(c));
+    const auto modes = static_cast<double>(model::dofs_of_system(c));
+    return seconds_per_taylor_step +
+           contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact);
+}
+
 std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
     if (c.run.engine == parameters::Engine::exact)
         return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
-                           cost.steps * seconds_per_exact_step);
+                           cost.steps * exact_seconds_per_step(c));
     if (c.run.engine == parameters::Engine::moreau) {
         const auto size =
-            static_cast<double>(model::dofs_of_system(c)) * static_cast<double>(parameters::joint_count(c));
+            static_cast<double>(model::dofs_of_system(c)) * static_cast<double>(parameters::contact_count(c));
         const double seconds = seconds_per_moreau_step + seconds_per_mode_and_contact * size;
         return fmt::format(
             "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest step {:.4g} s\n",
             cost.steps, c.run.step, 2.0 * c.run.step, cost.steps * seconds, cost.step_limit);
     }
-    return fmt::format("\ncost: {:.3g} steps, about {:.2g} s of one core; largest stable step {:.4g} s\n", cost.steps,
-                       cost.steps * seconds_per_step, cost.step_limit);
+    return fmt::format(
+        "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest stable step {:.4g} s\n",
+        cost.steps, c.run.step, 2.0 * c.run.step, cost.steps * seconds_per_step, cost.step_limit);
 }
 
 }  // namespace

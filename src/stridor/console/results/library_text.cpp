@@ -154,7 +154,7 @@ std::string entry_page(const noise_library::Library& library, const Entry& entry
 }
 
 std::string fields_text(const std::vector<FigureKind>& figures) {
-    std::string text;
+    std::string text = fmt::format("{:<17}{:<6}{}\n", "field", "unit", "what it says");
     for (const EntryField& field : noise_library::fields()) {
         const std::string_view unit = unit_of(field);
         text += fmt::format("{:<17}{:<6}{}{}\n", field.name, unit, field.sentence,

@@ -35,12 +35,18 @@ std::string signal_text(const io::SignalSummary& summary) {
     std::string text =
         fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,
                     summary.facts.format, base::shortest(layout.rate), frames / layout.rate, *layout.frames);
+    if (!summary.facts.time.empty()) text += fmt::format("  time      {}\n", summary.facts.time);
     for (std::size_t k = 0; k < layout.channels.size(); ++k) {
         const signal::Channel& channel = layout.channels[k];
         const std::string name = channel.name.empty() ? "" : " " + channel.name;
         text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
+        const bool is_converted =
+            summary.facts.calibrations[k] == recordings::Calibration::file && summary.facts.full_scales[k].value != 1.0;
+        if (is_converted) text += fmt::format(" (written in {})", summary.facts.units_in_file[k]);
         text += origin(summary.facts.calibrations[k], summary.facts.full_scales[k]) + "\n";
     }
+    for (const std::string& each : summary.facts.left_out)
+        text += fmt::format("  left out  {}\n", each);
     return text;
 }
 

@@ -48,20 +48,24 @@ std::string figure_or_dash(double value, const char* format) {
 
 std::string verdict_row(const Verdict& verdict) {
     const analysis::Evidence& e = verdict.evidence;
-    const bool is_noisy = verdict.category != Category::none;
+    const bool locks = verdict.quiet == classification::Quiet::locks;
+    const bool is_plain = verdict.category == Category::none && !locks;
+    // what is left of a motion as it jams is no vibration
+    const std::string level = locks ? "-" : figure_or_dash(e.levels.joint.decibels, "{:.1f} dB");
     // padded before it is styled: escape codes have no width
-    const std::string category = styled(fmt::format("{:<10}", classification::name(verdict.category)),
-                                        is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
+    const std::string category = styled(fmt::format("{:<10}", classification::word(verdict)),
+                                        is_plain ? Style::plain : Style::bold, STDOUT_FILENO);
     return fmt::format(
         "{:<8}{}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", record::phase_names[static_cast<std::size_t>(e.phase)], category,
         figure_or_dash(100.0 * e.rates.slip, "{:.1f} %"), figure_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
         figure_or_dash(100.0 * e.rates.separation, "{:.1f} %"), figure_or_dash(e.alternation.regularity, "{:.3f}"),
-        figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), figure_or_dash(e.levels.joint.decibels, "{:.1f} dB"));
+        figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), level);
 }
 
 std::string engine_text(const parameters::Case& c) {
     if (c.run.engine == parameters::Engine::beta_2)
-        return fmt::format("beta_2 = {:g}, step {:g} s", c.run.beta_2, c.run.step);
+        return fmt::format("beta_2 = {:g}, step {:g} s, compared with {:g} s", c.run.beta_2, c.run.step,
+                           2.0 * c.run.step);
     if (c.run.engine == parameters::Engine::moreau)
         return fmt::format("moreau{}, step {:g} s, compared with {:g} s",
                            parameters::is_without_inertia(c) ? " without inertia at the contacts" : "", c.run.step,
@@ -93,13 +97,22 @@ std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verd
         e.judged_time);
 }
 
+// what a silence is not said of: the other way and the other starts
+std::string only_this(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
+    const bool is_one_way = c.drive.kind == parameters::DriveKind::constant && verdicts.size() == 1;
+    if (!is_one_way || verdicts.front().category != Category::none) return "";
+    return fmt::format("only {} from {} was looked at; `stridor advise` judges both ways and every start.\n",
+                       parameters::direction_names[static_cast<std::size_t>(parameters::steady_direction(c.drive))],
+                       parameters::value_text(c, *parameters::find_field("run.initial")));
+}
+
 // what an own structure is pressed and rubs with
 std::string structure_text(const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
     std::string text = fmt::format(", {}: {} rows, {} contact{}\n", own.origin, own.row.size(), own.contacts.size(),
                                    own.contacts.size() == 1 ? "" : "s");
     text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact.preload)
-                                          : std::string("pressed by its load or gaps, ");
+                                          : std::string("without a preload, ");
     return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact.kinetic_friction, c.contact.static_friction);
 }
 
@@ -124,6 +137,14 @@ std::string contact_text(const parameters::Case& c, std::size_t contact) {
 std::string rates_text(const analysis::Rates& rates) {
     return fmt::format("slip {:.2f} %, stick {:.2f} %, separation {:.2f} %", 100.0 * rates.slip, 100.0 * rates.stick,
                        100.0 * rates.separation);
+}
+
+// a figure held against its threshold, with the figure's error where it has one
+std::string margin_line(const classification::Margin& margin) {
+    const bool has_error = margin.error && *margin.error > 0.0;
+    return fmt::format("    {:<19} {:>9.4g}  threshold {:<17} {:>7.4g}  distance {:+.4g}{}\n", margin.figure_name,
+                       margin.figure, margin.threshold_name, margin.threshold, margin.distance,
+                       has_error ? fmt::format("  error {:.1g}", *margin.error) : "");
 }
 
 // by how much the shares of a phase's contacts changed from twice the step
@@ -202,7 +223,8 @@ std::string contacts_text(const parameters::Case& c, const integration::Motion& 
     for (std::size_t k = 0; k < contacts; ++k)
         widest = std::max(widest, base::character_count(contact_text(c, k)) + 2);
     for (const record::Tally& phase : motion.record.phases) {
-        const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
+        const classification::PhaseVerdicts all =
+            classification::classify_all(phase, c.verdict, classification::contact_names(c));
         for (std::size_t k = 0; k < contacts; ++k) {
             const std::string name = contact_text(c, k);
             text += name + std::string(widest - base::character_count(name), ' ') +
@@ -236,14 +258,13 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
             text += (k > 0 ? "; " : "") + verdict.reasons[k];
         text += "\n";
+        for (const std::string& warning : verdict.warnings)
+            text += "warning: " + warning + "\n";
         for (const classification::Margin& margin : verdict.margins)
-            if (std::isfinite(margin.figure))
-                text += styled(fmt::format("    {:<18} {:>9.4g}  threshold {:<17} {:>7.4g}  distance {:+.4g}\n",
-                                           margin.figure_name, margin.figure, margin.threshold_name, margin.threshold,
-                                           margin.distance),
-                               Style::dim, STDOUT_FILENO);
+            if (std::isfinite(margin.figure)) text += styled(margin_line(margin), Style::dim, STDOUT_FILENO);
     }
-    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model.\n" +
+    text += "\n" + left_out(c, verdicts) + only_this(c, verdicts) +
+            "A category names a vibration pattern of the model.\n" +
             std::string(c.own_structure ? analysis::contact_level_note : analysis::level_note) + "\n";
     return text;
 }

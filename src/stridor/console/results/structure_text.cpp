@@ -5,18 +5,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
+#include <string_view>
+#include <unordered_set>
 
 namespace stridor::console {
 
 namespace {
 
-std::string set_text(const reduction::ElasticPart& part, const std::set<std::string>& with_rows) {
+using Nodes = std::unordered_set<std::string_view>;
+
+std::string set_text(const reduction::ElasticPart& part, const Nodes& with_rows) {
     std::string text;
     for (const reduction::NodeSet& set : part.sets) {
-        const std::set<std::string> nodes(set.nodes.begin(), set.nodes.end());
+        const Nodes nodes(set.nodes.begin(), set.nodes.end());
         std::size_t free = 0;
-        for (const std::string& node : nodes)
+        for (const std::string_view node : nodes)
             free += with_rows.count(node);
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", set.name, nodes.size());
         if (free != nodes.size()) text += fmt::format(" ({} with rows)", free);
@@ -47,7 +50,7 @@ double percent(double error) {
 }  // namespace
 
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size) {
-    std::set<std::string> nodes;
+    Nodes nodes;
     for (const reduction::RowLabel& label : part.labels)
         if (label.component != 0) nodes.insert(label.node);
     std::string text = fmt::format("rows         {} of {} nodes, {} entries of stiffness{}\n", size.rows, nodes.size(),

@@ -28,6 +28,10 @@ std::string error_document(const Error& error);
 /// A run that has a result; what went wrong with any other is an `Error`.
 integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop);
 
+/// {"contact.preload": {"from": 2, "to": 200, "scale": "log"}}: between which values each quantity of a case is varied
+/// (`parameters::usual_range`), of a velocity its magnitude.
+Json ranges_object(const parameters::Case& c);
+
 /// "stridor.explorer.start/1": presets, fields and figures, what the page begins with.
 Response start(const World& world);
 
@@ -81,6 +85,10 @@ std::optional<Response> library(const World& world, std::string_view path);
 // answers_advice.cpp
 /// Advice on a case, as `advise --json` has it.
 Response advice(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.design/1": the headline of a case, judged both ways and from every start, and, where the body asks for
+/// `around`, what lies close to it; "ranges" has those of its quantities.
+Response design(const World& world, const Json& body, const std::stop_token& stop);
 
 /// The report on a design as an HTML file.
 Response report(const World& world, const Json& body, const std::stop_token& stop);

@@ -5,6 +5,8 @@
 #include "stridor/io/advice/json_advice.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/report/design_report.hpp"
+#include "stridor/report/report_chart.hpp"
+#include "stridor/report/timed_parts.hpp"
 
 #include <array>
 #include <utility>
@@ -65,11 +67,32 @@ Response advice(const World& world, const Json& body, const std::stop_token& sto
     return json(io::advice_json(advice::advise(case_in(world, body), options_in(world, body, stop))));
 }
 
+Response design(const World& world, const Json& body, const std::stop_token& stop) {
+    const parameters::Case c = case_in(world, body);
+    advice::AdviceOptions options;
+    options.crew = crew::thread_crews(world.threads);
+    options.stop = stop;
+    const advice::Look look = flag_in(body, "around") ? advice::Look::around : advice::Look::here;
+    Json document = Json::parse(io::standing_json(advice::standing_of(c, look, options)));
+    document["ranges"] = ranges_object(c);
+    return json(base::text_of(document));
+}
+
 Response report(const World& world, const Json& body, const std::stop_token& stop) {
-    report::DesignResults results = report::basic_results(case_in(world, body), stop);
+    const advice::AdviceOptions options = options_in(world, body, stop);
+    report::DesignResults results = report::basic_results(case_in(world, body), options);
     results.command = command_of(world, body);
-    if (body.contains("chart")) results.chart = report::chart_in_memory(study_in(world, body), world.threads, stop);
-    results.advice = advice::advise(results.design, options_in(world, body, stop));
+    results.date = report::report_date();
+    report::add_sounds(results, stop, report::longest_part);
+    if (body.contains("chart")) {
+        sweep::Study study = study_in(world, body);
+        report::judge_alike(study, results.standing.space);
+        sweep::RunOptions charting;
+        charting.crew = options.crew;
+        charting.stop = stop;
+        report::add_chart(results, study, charting, report::longest_part);
+    }
+    report::add_advice(results, options, report::longest_part);
     Response response{200, "text/html; charset=utf-8", report::html(report::design_report(results))};
     response.headers = {{"Content-Disposition", "attachment; filename=\"stridor-report.html\""}};
     return response;

@@ -10,6 +10,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/usual_range.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
@@ -40,6 +41,12 @@ Json homes_object(const parameters::Field& field) {
     return object;
 }
 
+Json range_object(const parameters::UsualRange& range) {
+    return {{"from", range.from},
+            {"to", range.to},
+            {"scale", parameters::scale_names[static_cast<std::size_t>(range.scale)]}};
+}
+
 Json field_object(const parameters::Field& field) {
     Json object{{"key", parameters::key_of(field)},
                 {"section", field.section},
@@ -53,10 +60,7 @@ Json field_object(const parameters::Field& field) {
         object["high"] = quantity->range.high;
         // what a choice that needs it begins with; other fields have their values without saying
         if (io::is_required(field)) object["default"] = quantity->get({});
-        if (quantity->usual)
-            object["usual"] = {{"from", quantity->usual->from},
-                               {"to", quantity->usual->to},
-                               {"scale", quantity->usual->scale == parameters::Scale::linear ? "linear" : "log"}};
+        if (quantity->usual) object["usual"] = range_object(*quantity->usual);
     } else if (const auto* choice = std::get_if<parameters::Choice>(&field.kind)) {
         object["kind"] = "choice";
         object["choices"] = choice->names;
@@ -68,7 +72,10 @@ Json field_object(const parameters::Field& field) {
 
 Json preset_object(const Preset& preset) {
     const parameters::Case c = io::read_case(io::parse_toml(source_of(preset)), readers_of(preset));
-    Json object{{"name", preset.name}, {"title", c.title}, {"case", Json::parse(io::case_json(c))}};
+    Json object{{"name", preset.name},
+                {"title", c.title},
+                {"case", Json::parse(io::case_json(c))},
+                {"ranges", ranges_object(c)}};
     if (preset.study) object["chart"] = chart_of(*preset.study);
     return object;
 }
@@ -114,6 +121,17 @@ Json problem_object(const base::Problem& problem) {
 
 }  // namespace
 
+Json ranges_object(const parameters::Case& c) {
+    Json object = Json::object();
+    for (const std::string& key : parameters::quantity_keys(c)) {
+        std::optional<parameters::UsualRange> range = parameters::usual_range(c, key);
+        // of a velocity the magnitude: its sign is the direction
+        if (range && range->to < 0.0) range = parameters::UsualRange{-range->to, -range->from, range->scale};
+        if (range && range->from < range->to) object[key] = range_object(*range);
+    }
+    return object;
+}
+
 integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
     integration::Workspace workspace;
     std::optional<sweep::Attempt> attempt = sweep::attempt(c, request, stop, workspace);
@@ -157,7 +175,8 @@ Response start(const World& world) {
 Response simulate(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     const integration::Motion motion = run_case(c, {}, stop);
-    const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
+    const auto verdicts =
+        classification::classify_phases(motion.record.phases, c.verdict, classification::contact_names(c));
     return json(io::simulation_json(c, motion, integration::cost(c), verdicts));
 }
 

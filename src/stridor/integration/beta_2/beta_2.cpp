@@ -39,6 +39,8 @@ using model::SizedStructure;
 constexpr long steps_between_stops = 4096;
 // [1] of the turnover: 5e-10 in thousands of steps; a rounding error of the energy held in each of 1e9 steps makes 1e-7
 constexpr double most_rounding_share = 1e-6;
+// a state that has lasted fewer steps holds the forces of its impact
+constexpr long steps_of_impact = 8;
 // above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check
 constexpr double any_share = 1.0;
 
@@ -114,8 +116,10 @@ struct State {
     typename SizedStructure<dofs>::Vector u;  // [m]
     typename SizedStructure<dofs>::Vector p;  // [m/s]
     double last_increment = 0.0;              // [m] of the plate, the step before
+    double normal_force = 0.0;                // [N] of the step before
     ContactState contact = ContactState::slip;
     bool has_contact = false;  // false until the first step
+    long contact_since = 0;    // number of its first step
 };
 
 // what one step computed at its beginning, time n h
@@ -208,6 +212,7 @@ private:
     void add_velocity(const typename SizedStructure<dofs>::Vector& velocity);
     void look();
     void widen_reach();
+    void press();
     double held() const;
 
     const model::Structure& whole_;
@@ -218,6 +223,7 @@ private:
     State<dofs> state_;
     WorkRates<dofs> work_;
     std::vector<record::Vibration> vibration_;  // shape [dof]
+    record::Load load_;                         // of this span
     double initial_energy_ = 0.0;               // [J]
     // largest that displacements and velocities have been at changes of state and ends of blocks
     Vector far_;   // [m]
@@ -229,12 +235,21 @@ template <int dofs>
 void Stepping<dofs>::note(const Step<dofs>& now, double increment) {
     const double h = coefficients_.h;
     const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
+    press();
     recorder_.enter(
         0, {now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
             coefficients_.normal.dot(now.velocity)});
     state_.contact = now.contact;
     state_.has_contact = true;
+    state_.contact_since = n_;
     widen_reach();
+}
+
+// what the contact carries where its state, or a span, ends
+template <int dofs>
+void Stepping<dofs>::press() {
+    if (n_ - state_.contact_since >= steps_of_impact)
+        load_.largest_force = std::max(load_.largest_force, state_.normal_force);
 }
 
 template <int dofs>
@@ -286,6 +301,7 @@ void Stepping<dofs>::advance(long end) {
         work_.dashpot += now.velocity.dot(c.damping * now.velocity);
         add_velocity(now.velocity);
         state_.last_increment = increment;
+        state_.normal_force = now.normal_force;
     }
 }
 
@@ -334,6 +350,9 @@ Outcome Stepping<dofs>::run(const std::stop_token& stop) {
         for (record::Vibration& sum : vibration_)
             sum.square_time *= n_ > span_begin ? h : length;
         recorder_.vibrate(k, length, vibration_);
+        press();
+        recorder_.load(k, {&load_, 1});
+        load_ = {};
     }
     return {Reason::completed, static_cast<double>(n_) * h};
 }
@@ -358,8 +377,9 @@ record::Outlook Stepping<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
     const model::SurfaceMotion surface = drive_.at(outcome.time);
     // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
-    return outlook_of_stick(whole_, drive_.profile(),
-                            {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time});
+    return outlook_of_stick(
+        whole_, drive_.profile(),
+        {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time, recorder_.since(0)});
 }
 
 }  // namespace

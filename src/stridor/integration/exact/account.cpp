@@ -48,6 +48,7 @@ Totals totals(const Flows& flows, const Account& account) {
         sum.drive_work += friction * on_surface;
         sum.friction_loss -= friction * integral(flow, full.on_slip, part.on_slip);
     }
+    sum.largest_force = account.largest_force;
     // squares add up to a negative number by rounding only
     for (double& square : sum.square_time)
         square = std::max(square, 0.0);
@@ -62,6 +63,7 @@ void add(Totals& sum, const Totals& more, double factor) {
     sum.dashpot_loss += factor * more.dashpot_loss;
     sum.friction_loss += factor * more.friction_loss;
     sum.drive_work += factor * more.drive_work;
+    sum.largest_force = std::max(sum.largest_force, more.largest_force);
 }
 
 }  // namespace stridor::integration

@@ -8,6 +8,7 @@ namespace stridor::integration {
 struct Account {
     Sums full[contact_modes]{};  // whole steps, not weighted
     Sums part[contact_modes]{};  // parts of steps, weighted
+    double largest_force = 0.0;  // [N] largest N where states and spans ended
 };
 
 /// Integrals over the time since the last reset.
@@ -17,6 +18,7 @@ struct Totals {
     double dashpot_loss = 0.0;               // [J]
     double friction_loss = 0.0;              // [J]
     double drive_work = 0.0;                 // [J]
+    double largest_force = 0.0;              // [N] largest N where states and spans ended
 };
 
 /// The integrals of what was added up.

@@ -96,6 +96,7 @@ SurfaceNumbers ExactRun<dofs>::surface(double time) const {
 template <int dofs>
 void ExactRun<dofs>::enter(const Transition& next) {
     const double now = time();
+    if (now > 0.0) press(0.0);
     book_.enter(next, now);
     origin_ = now;
     count_ = 0;
@@ -147,6 +148,7 @@ typename ExactRun<dofs>::Boundary ExactRun<dofs>::pass_boundaries(double& from, 
         if (kind == Logbook::Stop::end_of_span) {
             kernel_.add_part(flow(), s_, from, tau, book_.part(mode_));
             from = tau;
+            press(tau);
             book_.end_span();
             widen_reach();  // a stuck joint is farthest where the drive turns back
             has_returned_ = false;
@@ -277,12 +279,13 @@ Motion ExactRun<dofs>::run() {
 template <int dofs>
 record::Outlook ExactRun<dofs>::outlook(const Outcome& outcome) const {
     if (silence_) return {record::Future::slides, silence_->time};
-    if (cycle_) return {record::Future::repeats, cycle_->time};
+    if (cycle_) return {.future = record::Future::repeats, .from = cycle_->time, .period = cycle_->period};
     if (outcome.reason != Reason::completed || mode_ != ContactMode::stick) return {};
     const Position last = position(s_, mode_);
     const model::SurfaceMotion motion = drive_.at(outcome.time);
-    return outlook_of_stick(whole_, drive_.profile(),
-                            {last.displacement, last.velocity, motion.velocity, motion.acceleration, outcome.time});
+    return outlook_of_stick(
+        whole_, drive_.profile(),
+        {last.displacement, last.velocity, motion.velocity, motion.acceleration, outcome.time, recorder_.since(0)});
 }
 
 // --- early endings
@@ -311,6 +314,15 @@ void ExactRun<dofs>::watch_for_cycle() {
 }
 
 // --- what is kept
+
+// tells the book what the contact carries so far into the step
+template <int dofs>
+void ExactRun<dofs>::press(double tau) {
+    if (mode_ == ContactMode::open) return;
+    Lanes s = s_;
+    if (tau > 0.0) kernel_.move(flow(), s_, tau, s);
+    book_.press(dot(flow().normal_force, s));
+}
 
 template <int dofs>
 void ExactRun<dofs>::sample(double tau, double time) {

@@ -84,6 +84,8 @@ void Logbook::vibrate() {
         vibration[dof] = {banked_.square_time[dof], banked_.peak_square[dof]};
     const record::Span& span = spans()[span_];
     recorder_.vibrate(span_, span.to - span.from, std::span(vibration).first(static_cast<std::size_t>(flows_.dofs)));
+    const record::Load load{0.0, 0.0, banked_.largest_force};
+    recorder_.load(span_, {&load, 1});
     banked_ = {};
     ++span_;
 }

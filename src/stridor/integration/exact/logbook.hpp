@@ -8,6 +8,7 @@
 #include "stridor/integration/exact/silence.hpp"
 #include "stridor/record/recorder.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <stop_token>
 #include <vector>
@@ -38,6 +39,9 @@ public:
 
     /// The contact enters a state.
     void enter(const Transition& next, double now);
+
+    /// The contact carries this normal force [N] where its state, or a span, ends.
+    void press(double normal_force) { account_.largest_force = std::max(account_.largest_force, normal_force); }
 
     /// Hands the integrals of the span that ends here to the recorder.
     void end_span();

@@ -62,6 +62,7 @@ private:
     Boundary pass_boundaries(double& from, double& reach, Crossing& crossing);
     void turn_knot(double time);
     void sample(double tau, double time);
+    void press(double tau);
     void enter(const Transition& next);
     bool is_finite() const;
     bool piles_up();

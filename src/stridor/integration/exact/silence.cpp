@@ -126,6 +126,7 @@ void Sliding::pass(const Kernel& kernel, double duration, record::Use use, Lanes
     for (Eigen::Index i = 0; i < size; ++i)
         moved.at[i] = there(i);
     kernel.move(flow_, moved, duration / flow_.step - count, s);
+    account.largest_force = std::max(account.largest_force, dot(flow_.normal_force, s));
     const Vector after = distance(s);
 
     if (!is_kept) return;

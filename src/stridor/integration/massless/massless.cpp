@@ -177,6 +177,7 @@ Outcome MasslessRun::run(const std::stop_token& stop) {
         for (record::Vibration& sum : vibration_)
             sum.square_time *= length / static_cast<double>(watched_);
         recorder_.vibrate(k, length, vibration_);
+        press(forces_);
         recorder_.load(k, load_);
     }
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};

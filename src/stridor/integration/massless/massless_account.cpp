@@ -19,7 +19,16 @@ Eigen::Map<const Eigen::VectorXd> numbers_at(const std::vector<double>& numbers)
 
 }  // namespace
 
+// what the contacts carry where one of them changes its state or a span ends
+void MasslessRun::press(const std::vector<double>& forces) {
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+        double& largest = load_[massless_.modal.number[k]].largest_force;
+        largest = std::max(largest, forces[massless_.plan.first[k]]);
+    }
+}
+
 void MasslessRun::note(double surface_travel) {
+    if (contacts_.set() != set_) press(before_);
     for (std::size_t k = 0; k < set_.size(); ++k) {
         if (contact_of(contacts_.set()[k]) != contact_of(set_[k]) || n_ == 0) tell(k);
         record::Load& load = load_[massless_.modal.number[k]];

@@ -29,6 +29,7 @@ private:
     void shake();
     void push_by_half();
     void note(double surface_travel);
+    void press(const std::vector<double>& forces);
     void tell(std::size_t contact);
     void watch();
     void sample();

@@ -28,12 +28,16 @@ struct MasslessStructure {
     double least_cut = 0.0;         // [rad/s] frequency of the first mode without inertia; 0: none has lost it
 };
 
-/// Takes the inertia away from all modes above `above` [Hz]; 0: from as few as give the contacts a flexibility of their
-/// own, or from none but the rows that have no mass where there are such.
+/// Takes the inertia away from all modes above `above` [Hz]; 0: from as few as leave the motion of the others that of
+/// the structure, or from none but the rows that have no mass where there are such and no mode was left out.
 ///
-/// Throws `Error` (input) where no mode is left, where what is left without inertia is not held by stiffness or has
-/// dampers at rows without mass, or where it is too stiff to tell the contacts' forces apart: their flexibility is
-/// singular, and more modes must lose their inertia.
+/// Contacts are held by the flexibility of what has no inertia. Where it is stiff, the modes vibrate against it at
+/// frequencies that the structure does not have, and friction feeds them. So modes count as carried if contacts have a
+/// flexibility of their own, fewer directions than there are modes, with all held no frequency far above the first mode
+/// without inertia, and slide without friction at the frequencies of the structure, up to half of that.
+///
+/// Throws `Error` (input) where no mode is left, where the modes are not carried, and where what is left without
+/// inertia is not held by stiffness or has dampers at rows without mass.
 MasslessStructure massless_structure(const model::Structure& structure, double above);
 
 /// Longest time step [s]: 2 over the highest frequency of the modes with all contacts held by their flexibility, the

@@ -199,6 +199,7 @@ bool MoreauRun::advance() {
     find_free_rates(end_velocity);
     if (!contacts_.solve(free_rates_, touches_)) return false;
     const std::vector<ContactMode>& set = contacts_.set();
+    if (set != set_) press();
     which_.clear();
     bool has_closed = false;
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -212,6 +213,7 @@ bool MoreauRun::advance() {
     propagation_.push(push_, q_, v_);
     note(surface_velocity_, end_velocity);
     if (has_closed || n_ % steps_between_projections == 0) project();
+    has_impact_ = has_closed;
     surface_velocity_ = end_velocity;
     touched_ = touches_;
     set_ = set;
@@ -249,6 +251,7 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
         for (record::Vibration& sum : vibration_)
             sum.square_time *= length / static_cast<double>(watched_);
         recorder_.vibrate(k, length, vibration_);
+        press();
         recorder_.load(k, load_);
     }
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
@@ -275,7 +278,7 @@ Motion integrate_moreau(const model::Structure& structure, const parameters::Dri
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);
     const Outcome outcome = runner.run(stop);
-    Motion motion{outcome, runner.energy(), recorder.finish(outcome.time)};
+    Motion motion{outcome, runner.energy(), recorder.finish(outcome.time, runner.outlooks(outcome))};
     motion.pressed = runner.pressed();
     return motion;
 }

@@ -5,6 +5,7 @@
 #include "stridor/integration/body_vibration.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/moreau/moreau_run.hpp"
+#include "stridor/integration/taylor/lasting_set.hpp"
 #include "stridor/model/sized_structure.hpp"
 
 #include <algorithm>
@@ -36,6 +37,34 @@ void MoreauRun::note(double start_velocity, double end_velocity) {
     const double power = dashpot_power(structure_, v_);
     work_.dashpot_loss += step_ * 0.5 * (dashpot_power_ + power);
     dashpot_power_ = power;
+}
+
+// what the contacts carry, forces of the step before, where one of them changes its state or a span ends
+void MoreauRun::press() {
+    if (has_impact_) return;
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+        double& largest = load_[structure_.number[k]].largest_force;
+        largest = std::max(largest, forces_[rows_.plan().first[k]]);
+    }
+}
+
+std::vector<record::Outlook> MoreauRun::outlooks(const Outcome& outcome) const {
+    std::vector<record::Outlook> known(set_.size());
+    const bool has_plane = std::any_of(structure_.contacts.begin(), structure_.contacts.end(),
+                                       [](const ModalContact& contact) { return !contact.second_tangent.empty(); });
+    const bool may_know = outcome.reason == Reason::completed && parameters::is_steady(drive_) && !has_plane &&
+                          structure_.modes() <= most_proven_modes;
+    if (!may_know) return known;
+    std::vector<double> since;
+    for (const std::size_t contact : structure_.number)
+        since.push_back(recorder_.since(contact));
+    const std::size_t modes = structure_.modes();
+    const std::vector<record::Outlook> found =
+        LastingSet(structure_, set_, surface_velocity_)
+            .outlooks({q_.data(), modes}, {v_.data(), modes}, outcome.time, since);
+    for (std::size_t k = 0; k < found.size(); ++k)
+        if (set_[k] == ContactMode::stick) known[structure_.number[k]] = found[k];
+    return known;
 }
 
 // the recorder of a contact's new state, which it has from the step's begin on

@@ -23,6 +23,9 @@ public:
     Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
 
+    /// What is known of each contact that sticks, at the end of the run over a surface of constant velocity.
+    std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
+
     /// Contacts that friction presses without end, if the run ended so.
     const std::vector<std::size_t>& pressed() const { return pressed_; }
 
@@ -36,6 +39,7 @@ private:
     void find_free_rates(double surface_velocity);
     void project();
     void note(double start_velocity, double end_velocity);
+    void press();
     void tell(std::size_t contact);
     void watch();
     void sample();
@@ -58,6 +62,7 @@ private:
     std::vector<double> scratch_;               // likewise
     std::vector<ContactMode> set_;              // of the step before
     std::vector<std::size_t> pressed_;          // contacts that friction presses without end, where it ended so
+    bool has_impact_ = false;                   // the step before closed a contact: its forces are impulses
     std::vector<char> touches_, touched_;       // in this step and the one before, shape [contact]
     std::vector<double> rates_, free_rates_;    // [m/s] g' and w at the step's begin, and its free end, shape [row]
     std::vector<double> products_, forces_;     // shape [row]

@@ -36,19 +36,21 @@ Eigen::MatrixXd gram(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& pr
 
 }  // namespace
 
-void hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x) {
+Eigen::VectorXd hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x) {
     const auto n = static_cast<Eigen::Index>(sums.size());
-    Eigen::VectorXd error(n);
-    if (are_zero(sums, x, least_sum, error)) return;
+    Eigen::VectorXd error(n), moved = Eigen::VectorXd::Zero(n);
+    if (are_zero(sums, x, least_sum, error)) return moved;
     const Eigen::LDLT<Eigen::MatrixXd> factor = gram(sums, products).ldlt();
     // rows that nearly depend on each other leave more than rounding the first time
     for (int pass = 0; pass < most_passes; ++pass) {
         const Eigen::VectorXd share = factor.solve(error);
+        moved -= share;
         for (Eigen::Index a = 0; a < n; ++a)
             for (std::size_t j = 0; j < x.size(); ++j)
                 x[j] -= share(a) * sums[static_cast<std::size_t>(a)].row[j];
-        if (are_zero(sums, x, held_rounding, error)) return;
+        if (are_zero(sums, x, held_rounding, error)) break;
     }
+    return moved;
 }
 
 }  // namespace stridor::integration

@@ -49,6 +49,7 @@ LastingSet::LastingSet(const ModalStructure& structure, std::vector<ContactMode>
       set_(std::move(set)),
       square_(vector_of(structure.square_frequency)),
       load_(vector_of(structure.load)),
+      velocity_(velocity),
       rate_(structure.fastest) {
     const auto n = static_cast<Index>(structure.modes());
     damping_ = structure.is_damped_by_mode() ? MatrixXd(vector_of(structure.damping).asDiagonal())
@@ -201,11 +202,22 @@ bool LastingSet::lasts(const Now& now) const {
     });
 }
 
-std::vector<record::Outlook> LastingSet::outlooks(std::span<const double> q, std::span<const double> v,
-                                                  double time) const {
+// of a contact that has been stuck for so long [s]
+record::Drag LastingSet::drag(const Margin& normal_force, const Now& now, double lasted) const {
+    const double N = value(normal_force, now);
+    const double speed = std::abs(structure_.contacts[normal_force.contact].drive_share * velocity_);
+    const double slope = std::abs(normal_force.slope) > normal_force.slope_zero ? normal_force.slope : 0.0;
+    return {N - slope * lasted, N, speed * lasted, speed > 0.0 ? slope / speed : 0.0};
+}
+
+std::vector<record::Outlook> LastingSet::outlooks(std::span<const double> q, std::span<const double> v, double time,
+                                                  std::span<const double> since) const {
     std::vector<record::Outlook> known(set_.size());
     if (!is_bounded_) return known;
     const Now here = now(q, v);
+    for (const Margin& margin : margins_)
+        if (margin.is_normal_force && set_[margin.contact] == ContactMode::stick)
+            known[margin.contact].drag = drag(margin, here, time - since[margin.contact]);
     if (lasts(here)) {
         for (std::size_t k = 0; k < set_.size(); ++k) {
             if (is_slip(set_[k])) known[k] = {Future::slides, time};
@@ -268,6 +280,7 @@ LastingSet::Passed LastingSet::pass(std::span<const double> q, std::span<const d
         record::Load& load = passed.loads[margin.contact];
         const double integral = value(margin, before) * duration + margin.deviation.dot(lasting);
         (margin.is_normal_force ? load.normal_impulse : slip[margin.contact]) = integral;
+        if (margin.is_normal_force) load.largest_force = value(margin, before) + margin.deviation.dot(after);
     }
     for (std::size_t k = 0; k < set_.size(); ++k)
         passed.loads[k].friction_loss = std::abs(structure_.contacts[k].ratio[index_of(way_of(set_[k]))]) *

@@ -15,6 +15,9 @@
 
 namespace stridor::integration {
 
+/// Schur decompositions and Gramians of larger structures cost more than proofs save.
+inline constexpr std::size_t most_proven_modes = 100;
+
 /// A set of contact modes over a surface of constant velocity: does it last for ever?
 ///
 /// Within a set the motion is a forced part, linear in time, and a rest e that friction may feed. With e' = A e and P
@@ -26,9 +29,11 @@ public:
     /// `velocity` [m/s] is the surface's.
     LastingSet(const ModalStructure& structure, std::vector<ContactMode> set, double velocity);
 
-    /// What is known of each contact if the set holds now, at `time` [s]; shape [contact] in the structure's own order.
-    /// Nothing is known of any but those whose margin the forced part itself uses up if the set is not proven to last.
-    std::vector<record::Outlook> outlooks(std::span<const double> q, std::span<const double> v, double time) const;
+    /// What is known of each contact if the set holds now, at `time` [s], and each has been in its state since then
+    /// [s]; shape [contact] in the structure's own order. Nothing is known of the future of any but those whose margin
+    /// the forced part itself uses up if the set is not proven to last.
+    std::vector<record::Outlook> outlooks(std::span<const double> q, std::span<const double> v, double time,
+                                          std::span<const double> since) const;
 
     /// The bounds of normal forces and slip velocities that hold from now on, if all contacts slip for ever and
     /// something vibrates.
@@ -71,6 +76,7 @@ private:
     Now now(std::span<const double> q, std::span<const double> v) const;
     double value(const Margin& margin, const Now& now) const;
     bool lasts(const Now& now) const;
+    record::Drag drag(const Margin& normal_force, const Now& now, double lasted) const;
     const Eigen::MatrixXd& gramian(std::size_t channel);
 
     const ModalStructure& structure_;
@@ -85,6 +91,7 @@ private:
     Eigen::MatrixXd forceless_;                 // Y, Y'B = 0
     Eigen::FullPivLU<Eigen::MatrixXd> forced_;  // of [Y'ω²; R']
     Eigen::VectorXd drift_;                     // s, velocity of the forced part
+    double velocity_ = 0.0;                     // [m/s] of the surface
     double rate_ = 1.0;                         // [1/s] makes positions comparable with velocities
     Eigen::MatrixXd generator_;                 // [1/s] A
     Eigen::MatrixXd bound_;                     // P

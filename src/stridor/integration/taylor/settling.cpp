@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace stridor::integration {
 
@@ -36,6 +37,7 @@ struct Settling::Lawful {
     TaylorState state;
     std::vector<bool> begins;
     EnergyBalance losses;
+    std::vector<record::Load> impacts;
     long completed = 0;
 };
 
@@ -66,9 +68,14 @@ Settling::Settling(const ModalStructure& structure, double step)
       block_(structure, step),
       broken_(structure.contacts.size()),
       begins_(structure.contacts.size()),
-      orders_(structure.contacts.size()) {}
+      orders_(structure.contacts.size()),
+      impacts_(structure.contacts.size()) {}
 
-void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
+std::vector<record::Load> Settling::take_impacts() {
+    return std::exchange(impacts_, std::vector<record::Load>(impacts_.size()));
+}
+
+std::vector<double> Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
     std::vector<HeldSum> gaps, rates;
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         if (state.set[k] == ContactMode::open) continue;
@@ -83,13 +90,21 @@ void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
         if (is_held) rates.push_back({c.tangent, -(c.drive_share * surface[0]), static_cast<Eigen::Index>(2 * k + 1)});
     }
     hold_at_zero(gaps, structure_.compliance, state.q);
-    hold_at_zero(rates, structure_.compliance, state.v);
+    const Eigen::VectorXd impulses = hold_at_zero(rates, structure_.compliance, state.v);
+    std::vector<double> normal(state.set.size(), 0.0);
+    for (Eigen::Index row = 0; row < impulses.size(); ++row) {
+        const Eigen::Index number = rates[static_cast<std::size_t>(row)].number;
+        if (number % 2 == 0) normal[static_cast<std::size_t>(number / 2)] = impulses(row);
+    }
+    return normal;
 }
 
 // what has been ended is held; what that changes is lost
 void Settling::hold_ended(TaylorState& state, const SurfaceSeries& surface) {
     const double before = free_energy(structure_, state);
-    project(state, surface);
+    const std::vector<double> impulses = project(state, surface);
+    for (std::size_t k = 0; k < impulses.size(); ++k)
+        impacts_[k].normal_impulse += impulses[k];
     losses_.impact_loss += before - free_energy(structure_, state);
 }
 
@@ -138,7 +153,9 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
         for (std::size_t j = 0; j < state.v.size(); ++j)
             state.v[j] += P_n * c.normal[j] + P_t * c.tangent[j];
         losses_.impact_loss -= 0.5 * P_n * (meeting.gap_velocity[k] + impulses->gap_velocity[k]);
-        losses_.friction_loss -= 0.5 * P_t * (meeting.slip_velocity[k] + impulses->slip_velocity[k]);
+        const double friction_loss = -0.5 * P_t * (meeting.slip_velocity[k] + impulses->slip_velocity[k]);
+        losses_.friction_loss += friction_loss;
+        impacts_[k] += record::Load{P_n, friction_loss};
         losses_.drive_work += P_t * c.drive_share * surface[0];
         state.set[k] = impulses->mode[k];
         begins_[k] = false;
@@ -231,6 +248,7 @@ Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
         state = lawful->state;
         begins_ = lawful->begins;
         losses_ = lawful->losses;
+        impacts_ = lawful->impacts;
         completed_ = lawful->completed;
         return finish();
     };
@@ -243,7 +261,7 @@ Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
                 if (!collide(state, surface, closing_)) return give_up();
                 continue;
             case Forces::found:
-                if (!lawful) lawful = Lawful{state, begins_, losses_, completed_};
+                if (!lawful) lawful = Lawful{state, begins_, losses_, impacts_, completed_};
                 if (complete(state, surface)) continue;
                 return finish();
         }

@@ -2,6 +2,7 @@
 
 #include "stridor/integration/energy_balance.hpp"
 #include "stridor/integration/taylor/taylor_block.hpp"
+#include "stridor/record/tally.hpp"
 
 #include <array>
 #include <cstddef>
@@ -64,7 +65,8 @@ public:
     Settled settle(TaylorState& state, const SurfaceSeries& surface);
 
     /// Takes rounding out of closed gaps, their rates, and the slip of stuck contacts, at right angles under the mass.
-    void project(TaylorState& state, const SurfaceSeries& surface) const;
+    /// Returns the normal impulses [N*s] that change the velocities so, shape [contact].
+    std::vector<double> project(TaylorState& state, const SurfaceSeries& surface) const;
 
     /// What is zero of the coefficients c of an event function, of a block that was expanded from the state.
     FunctionZero zero_of(const TaylorBlock& block, const TaylorState& state, std::size_t contact, std::size_t function,
@@ -75,6 +77,9 @@ public:
 
     /// What impacts have taken and brought so far [J].
     const EnergyBalance& losses() const { return losses_; }
+
+    /// What impacts have done to the contacts since this was called before, shape [contact].
+    std::vector<record::Load> take_impacts();
 
     /// Contacts that pile-ups have closed so far.
     long completed() const { return completed_; }
@@ -111,6 +116,7 @@ private:
     std::vector<std::size_t> pressed_;
     double soon_ = 1e-6;  // [1] of a block
     EnergyBalance losses_;
+    std::vector<record::Load> impacts_;  // shape [contact]
     long completed_ = 0;
 };
 

@@ -33,6 +33,15 @@ double largest(const BlockSeries& c) {
     return most;
 }
 
+// the largest of a gap's acceleration, told as the gap's coefficient c_2: a normal force N with the coefficients n_m
+// moves the gap by h² W_nn n_m/((m + 1)(m + 2)) in c_(m+2)
+double largest_acceleration(const BlockSeries& gap) {
+    double most = 0.0;
+    for (int k = 2; k <= settling_order; ++k)
+        most = std::max(most, 0.5 * k * (k - 1) * std::abs(gap[static_cast<std::size_t>(k)]));
+    return most;
+}
+
 }  // namespace
 
 struct Settling::Violation {
@@ -47,9 +56,11 @@ FunctionZero Settling::zero_of(const TaylorBlock& block, const TaylorState& stat
     const ModalContact& law = structure_.contacts[contact];
     const ContactMode mode = state.set[contact];
     if (mode == ContactMode::open) {
-        // gap and rate come from the state, what follows from accelerations
+        // gap and rate come from the state, what follows from accelerations: zero where the force that would hold the
+        // contact is, or one that lifts obeys no set of states
         const double zero = gap_zero(law, state, block.step());
-        return {2, zero, zero + term_rounding * block.gap_change_scale(contact)};
+        return {2, zero,
+                zero + term_rounding * block.gap_change_scale(contact) + function_rounding * largest_acceleration(c)};
     }
     const double zero = function_rounding * largest(c);
     if (!is_slip(mode) || function == 0) return {0, 0.0, zero + term_rounding * block.force_scale(contact)};

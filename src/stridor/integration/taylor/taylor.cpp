@@ -156,6 +156,7 @@ std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     settling_.end_within(ended_share[std::min(crowd_events_++ / crowd, ended_share.size() - 1)]);
     surface_ = surface(time_);
     const Settled settled = settling_.fire(state_, surface_, firing.contact, firing.function);
+    add_impacts();
     if (settled != Settled::done) return without_forces(settled);
     is_fresh_ = true;
     blocks_since_event_ = 0;
@@ -197,6 +198,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
     surface_ = surface(0.0);
     initial_energy_ = stored_energy(structure_, state_.q, state_.v);
     const Settled settled = settling_.settle(state_, surface_);
+    add_impacts();
     if (settled != Settled::done) return without_forces(settled);
     tell();
     pass_boundary();
@@ -214,8 +216,10 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         const double theta = fires ? firing.theta : reach;
         account(theta);
         pass_samples(theta);
+        const bool ends_at_boundary = !fires && reach * step_ + time_ >= boundary;
+        if (fires || ends_at_boundary) press(theta);
         move(theta);
-        time_ = fires || reach * step_ + time_ < boundary ? time_ + theta * step_ : boundary;
+        time_ = ends_at_boundary ? boundary : time_ + theta * step_;
         if (fires) {
             if (const auto outcome = fire(firing)) return *outcome;
             if (watch_for_cycle(stop))
@@ -234,6 +238,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         // what rounding has moved a stuck contact by is no slip
         settling_.project(state_, surface_);
         const Settled at_corner = settling_.settle(state_, surface_);
+        add_impacts();
         if (at_corner != Settled::done) return without_forces(at_corner);
         is_fresh_ = true;
         tell();

@@ -1,5 +1,5 @@
-// What a block adds to the sums of its span and to the energy balance, by quadrature over its series, and the samples
-// that lie in it.
+// What a block adds to the sums of its span and to the energy balance, by quadrature over its series, what impacts add
+// to them between blocks, and the samples that lie in it.
 
 #include "stridor/integration/body_vibration.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
@@ -89,6 +89,29 @@ void TaylorRun::add_normal_impulse(double theta, Sums& sums) const {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         if (state_.set[k] == ContactMode::open) continue;
         sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
+    }
+}
+
+// what the contacts carry where one of them changes its state, or a span ends
+void TaylorRun::press(double theta) {
+    for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        if (state_.set[k] == ContactMode::open) continue;
+        const double normal_force = value_of(block_.normal_force(k), theta);
+        for (Sums* sums : {&sums_, &period_}) {
+            if (sums->load.empty()) continue;
+            double& largest = sums->load[structure_.number[k]].largest_force;
+            largest = std::max(largest, normal_force);
+        }
+    }
+}
+
+// impacts have no duration: what they carry lies in no block
+void TaylorRun::add_impacts() {
+    const std::vector<record::Load> impacts = settling_.take_impacts();
+    const bool is_judged = record::is_judged(spans()[span_].use);
+    for (std::size_t k = 0; k < impacts.size(); ++k) {
+        if (is_judged) sums_.load[structure_.number[k]] += impacts[k];
+        if (is_measuring_) period_.load[structure_.number[k]] += impacts[k];
     }
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 // a proof costs about as much as so many blocks for each mode; the next is tried after twice as long
 constexpr long blocks_before_proof = 16;
-// Schur decompositions and Gramians of larger structures cost more than they save
-constexpr std::size_t most_proven_modes = 100;
 // so many blocks are sampled for peaks where a span begins
 constexpr long sampled_blocks = 1024;
 
@@ -53,11 +51,8 @@ void TaylorRun::fill_with_silence(LastingSet& set) {
             state_.v.assign(passed.v.data(), passed.v.data() + passed.v.size());
             for (std::size_t channel = 0; is_kept && channel < sums_.vibration.size(); ++channel)
                 sums_.vibration[channel].square_time += passed.square_time(static_cast<Eigen::Index>(channel));
-            for (std::size_t k = 0; is_kept && k < passed.loads.size(); ++k) {
-                record::Load& load = sums_.load[structure_.number[k]];
-                load.normal_impulse += passed.loads[k].normal_impulse;
-                load.friction_loss += passed.loads[k].friction_loss;
-            }
+            for (std::size_t k = 0; is_kept && k < passed.loads.size(); ++k)
+                sums_.load[structure_.number[k]] += passed.loads[k];
             time_ = span.to;
         }
         end_span();
@@ -115,6 +110,7 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
             for (std::size_t k = 0; k < sums_.load.size(); ++k) {
                 sums_.load[k].normal_impulse += count * period_.load[k].normal_impulse;
                 sums_.load[k].friction_loss += count * period_.load[k].friction_loss;
+                sums_.load[k].largest_force = std::max(sums_.load[k].largest_force, period_.load[k].largest_force);
             }
         }
         time_ = spans()[span_].to;
@@ -124,11 +120,16 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
 std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(structure_.number.size());
     if (silence_) std::fill(known.begin(), known.end(), record::Outlook{record::Future::slides, silence_->time});
-    if (cycle_) std::fill(known.begin(), known.end(), record::Outlook{record::Future::repeats, cycle_->time});
+    if (cycle_)
+        std::fill(known.begin(), known.end(),
+                  record::Outlook{.future = record::Future::repeats, .from = cycle_->time, .period = cycle_->period});
     const bool may_know = outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes;
     if (!may_know) return known;
     const LastingSet set(structure_, state_.set, surface(outcome.time)[0]);
-    const std::vector<record::Outlook> found = set.outlooks(state_.q, state_.v, outcome.time);
+    std::vector<double> since;
+    for (const std::size_t contact : structure_.number)
+        since.push_back(recorder_.since(contact));
+    const std::vector<record::Outlook> found = set.outlooks(state_.q, state_.v, outcome.time, since);
     for (std::size_t k = 0; k < found.size(); ++k)
         known[structure_.number[k]] = found[k];
     return known;

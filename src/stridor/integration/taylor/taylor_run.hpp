@@ -54,6 +54,8 @@ private:
     Firing first_firing(double reach);
     void account(double theta);
     void add_normal_impulse(double theta, Sums& sums) const;
+    void press(double theta);
+    void add_impacts();
     void pass_samples(double theta);
     void move(double theta);
     Outcome without_forces(Settled how) const;

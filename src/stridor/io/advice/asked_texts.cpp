@@ -1,11 +1,15 @@
 #include "stridor/io/advice/asked_texts.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/chart/range_text.hpp"
+#include "stridor/sweep/starts.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace stridor::io {
@@ -55,6 +59,19 @@ advice::AskedTolerance tolerance_from(const parameters::Case& c, const std::stri
     return tolerance;
 }
 
+// the choices of a list, each once
+template <typename Choice>
+std::vector<Choice> choices_of(const std::string& option, const std::vector<std::string>& texts,
+                               std::span<const std::string_view> names) {
+    std::vector<Choice> all;
+    for (const std::string& text : texts) {
+        const auto each = static_cast<Choice>(
+            base::place_of_choice(option, std::string(base::trimmed(text)), names, base::Place{option, 0, 0, text}));
+        if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
+    }
+    return all;
+}
+
 // what is wrong with an option is told with the option's name
 template <typename Read>
 auto placed(const char* option, const std::string& text, Read read) {
@@ -73,6 +90,11 @@ advice::AskedRange read_asked_range(const parameters::Case& c, const std::string
 
 advice::AskedTolerance read_asked_tolerance(const parameters::Case& c, const std::string& text) {
     return placed("--tolerance", text, [&] { return tolerance_from(c, text); });
+}
+
+advice::AskedRuns read_asked_runs(const std::vector<std::string>& directions, const std::vector<std::string>& starts) {
+    return {choices_of<parameters::Direction>("--direction", directions, parameters::direction_names),
+            choices_of<parameters::Initial>("--start", starts, sweep::start_names())};
 }
 
 }  // namespace stridor::io

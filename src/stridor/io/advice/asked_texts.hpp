@@ -3,6 +3,7 @@
 #include "stridor/advice/advice.hpp"
 
 #include <string>
+#include <vector>
 
 /// What advice is asked for, as a command line says it.
 namespace stridor::io {
@@ -13,5 +14,9 @@ advice::AskedRange read_asked_range(const parameters::Case& c, const std::string
 
 /// "preload=10%", "preload=10 % normal", "preload=2 N". Throws `Error` (input), placed at `--tolerance`.
 advice::AskedTolerance read_asked_tolerance(const parameters::Case& c, const std::string& text);
+
+/// "going" and "sliding": the directions and starts by which a design is judged, each one empty for all. Throws `Error`
+/// (input), placed at `--direction` or `--start`.
+advice::AskedRuns read_asked_runs(const std::vector<std::string>& directions, const std::vector<std::string>& starts);
 
 }  // namespace stridor::io

@@ -81,18 +81,44 @@ Json setting(const DesignSpace& space, std::size_t parameter, double from, doubl
     return {{"key", space.parameters[parameter].key}, {"from", from}, {"to", to}, {"unit", unit_of(space, parameter)}};
 }
 
+Json starts_array(const DesignSpace& space) {
+    Json starts = Json::array();
+    for (const parameters::Initial start : advice::starts_of(space))
+        starts.push_back(name_of<parameters::Initial>(sweep::start_names(), start));
+    return starts;
+}
+
 Json quieting_object(const DesignSpace& space, const DesignChange& change) {
     Json set = Json::array();
     for (const advice::ParameterChange& each : change.set)
         set.push_back(setting(space, each.parameter, each.from, each.to));
     Json verified = verdict_object(space, change.verdict);
     verified["runs"] = change.runs;
-    verified["neighbourhood"] = advice::neighbourhood;
-    verified["starts"] = sweep::start_names();
+    verified["designs"] = change.designs;
+    verified["neighbourhood"] = advice::verified_around;
+    verified["starts"] = starts_array(space);
     return {{"set", std::move(set)},
             {"distance", change.distance},
             {"options", advice::settings_of(space, change)},
             {"verified", std::move(verified)}};
+}
+
+// what lies close to a quiet design
+Json near_object(const DesignSpace& space, const std::optional<advice::Neighbourhood>& near) {
+    if (!near) return nullptr;
+    const std::vector<std::string> words = advice::turn_words(space, *near);
+    Json turns = Json::array();
+    for (std::size_t k = 0; k < near->turns.size(); ++k) {
+        const advice::NearChange& turn = near->turns[k];
+        Json object = {{"key", turn.key},
+                       {"relative", turn.relative},
+                       {"value", turn.value},
+                       {"unit", parameters::unit_of(turn.key)},
+                       {"words", words[k]}};
+        object.update(verdict_object(space, turn.verdict));
+        turns.push_back(std::move(object));
+    }
+    return {{"within", advice::looked_within}, {"turns", std::move(turns)}};
 }
 
 Json nearest_object(const DesignSpace& space, const std::optional<advice::NearestDesign>& nearest) {
@@ -103,7 +129,8 @@ Json nearest_object(const DesignSpace& space, const std::optional<advice::Neares
             set.push_back(setting(space, k, parameters::get_quantity(space.base, space.parameters[k].key),
                                   advice::value_at(space.parameters[k], nearest->shares[k])));
         }
-    Json object = {{"set", std::move(set)}, {"distance", nearest->distance}};
+    Json object = {
+        {"set", std::move(set)}, {"distance", nearest->distance}, {"words", advice::nearest_words(space, *nearest)}};
     object.update(verdict_object(space, nearest->verdict));
     return object;
 }
@@ -138,6 +165,7 @@ Json chance_object(const std::optional<advice::Chance>& chance) {
             {"high", chance->noise.high},
             {"confidence", advice::confidence},
             {"samples", chance->samples},
+            {"usual", chance->is_default},
             {"seed", chance->options.seed},
             {"not_quiet", estimate_object(chance->not_quiet)},
             {"by_category", std::move(by_category)},
@@ -146,17 +174,37 @@ Json chance_object(const std::optional<advice::Chance>& chance) {
 
 }  // namespace
 
-std::string advice_json(const Advice& advice) {
-    const DesignSpace& space = advice.space;
-    Json document = json_parts::opening("advice", space.base);
-    document["units"] = json_parts::case_units(space.base);
+namespace {
+
+// what a design does, as its headline says it
+void add_standing(Json& document, const DesignSpace& space, const DesignVerdict& present,
+                  const std::optional<advice::Neighbourhood>& near) {
+    document["headline"] = advice::headline(space, present, near);
+    document["standing"] = name_of<advice::Standing>(advice::standing_names, advice::standing(present, near));
     Json phases = Json::array();
     for (const record::Phase phase : space.phases)
         phases.push_back(name_of<record::Phase>(record::phase_names, phase));
     document["phases"] = std::move(phases);
-    document["present"] = verdict_object(space, advice.present);
-    document["present"]["quiet"] = advice::is_quiet(advice.present);
-    document["present"]["message"] = advice.present.message;
+    document["starts"] = starts_array(space);
+    document["present"] = verdict_object(space, present);
+    document["present"]["quiet"] = advice::is_quiet(present);
+    document["present"]["message"] = present.message;
+    document["near"] = near_object(space, near);
+}
+
+}  // namespace
+
+std::string standing_json(const advice::DesignStanding& design) {
+    Json document = json_parts::opening("design", design.space.base);
+    add_standing(document, design.space, design.present, design.near);
+    return base::text_of(document);
+}
+
+std::string advice_json(const Advice& advice) {
+    const DesignSpace& space = advice.space;
+    Json document = json_parts::opening("advice", space.base);
+    document["units"] = json_parts::case_units(space.base);
+    add_standing(document, space, advice.present, advice.near);
     document["margins"] = Json::array();
     for (const ParameterMargin& margin : advice.margins)
         document["margins"].push_back(margin_object(space, margin));

@@ -264,6 +264,9 @@ std::string json_schema() {
     add_temperature_lists(properties["temperature"]);
     properties["drive"]["allOf"] = drive_conditions();
     properties["chart"] = chart_schema();
+    properties["document"] = section_schema();
+    for (const char* key : {"author", "part"})
+        properties["document"]["properties"][key] = {{"type", "string"}};
     allow_several_joints(document);
     allow_own_structure(document);
     // last: they move what stands before

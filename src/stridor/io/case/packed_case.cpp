@@ -119,7 +119,7 @@ void pass_structure(Archive& pass, Structure& own) {
     for (std::size_t k = 0, count = pass.count(own.row); k < count; ++k)
         pass(own.row[k]);
     pass(own.following.ratio), pass(own.following.loss_factor);
-    pass(own.following.rayleigh_mass), pass(own.following.rayleigh_stiffness);
+    pass(own.following.rayleigh_mass), pass(own.following.rayleigh_stiffness), pass(own.left_out_above);
     pass(own.load), pass(own.force), pass(own.initial_displacement), pass(own.initial_velocity);
     for (std::size_t k = 0, count = pass.count(own.contacts); k < count; ++k)
         pass_contact(pass, own.contacts[k]);

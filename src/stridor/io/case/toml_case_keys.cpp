@@ -21,6 +21,8 @@ using parameters::Case;
 using parameters::Field;
 
 constexpr std::string_view chart_section = "chart";
+constexpr std::string_view document_section = "document";
+constexpr std::array<std::string_view, 2> document_keys{"document.author", "document.part"};  // of a report
 
 bool is_chart_key(std::string_view key) {
     return key == chart_section || (key.starts_with(chart_section) && key[chart_section.size()] == '.');
@@ -31,6 +33,7 @@ std::vector<std::string_view> section_names() {
     for (const Field& field : parameters::fields())
         if (!field.section.empty() && (names.empty() || names.back() != field.section)) names.push_back(field.section);
     names.push_back(chart_section);
+    names.push_back(document_section);
     return names;
 }
 
@@ -99,6 +102,14 @@ std::vector<std::string> check_known(const TomlDocument& document, Complaints& c
     for (const TomlEntry& entry : document.entries) {
         const bool is_read_elsewhere = is_chart_key(entry.key) || is_temperature_list(entry.key);
         if (is_read_elsewhere || is_in_unknown_section(document, entry)) continue;
+        if (std::find(document_keys.begin(), document_keys.end(), entry.key) != document_keys.end()) {
+            if (!std::holds_alternative<std::string>(entry.value))
+                complaints.add(
+                    {ErrorKind::input,
+                     {entry.key + " is " + std::string(type_name(entry.value)), "expected text", "Put it into quotes."},
+                     entry.value_place});
+            continue;
+        }
         const bool is_table = std::holds_alternative<TomlTable>(entry.value);
         if (is_section(entry.key)) {
             if (is_table) continue;

@@ -83,6 +83,8 @@ Error duplicate_error(const std::string& message, base::Place place) {
     return {ErrorKind::input, {what, "it is set once already", "Remove one of the two."}, std::move(place)};
 }
 
+constexpr const char* other_encoding = "one of its bytes is of another encoding, such as Latin-1";
+
 std::string advice(const std::string& message) {
     if (message.find("saw ','") != std::string::npos) return "Numbers are written with a point: 0.5, not 0,5.";
     if (message.find("expected a comment or whitespace") != std::string::npos)
@@ -95,6 +97,9 @@ Error parse_error(const toml::parse_error& error, const Places& places) {
     const std::string message = essence(error.description());
     base::Place place = places.at(error.source().begin);
     if (message.find("cannot redefine") != std::string::npos) return duplicate_error(message, std::move(place));
+    if (message.find("invalid utf-8") != std::string::npos)
+        return {
+            ErrorKind::input, {"the file is not UTF-8 text", other_encoding, "Save it as UTF-8."}, std::move(place)};
     return {ErrorKind::input, {message, "the file is not valid TOML", advice(message)}, std::move(place)};
 }
 
@@ -315,7 +320,8 @@ std::string full_key(const std::string& name, const base::Place& place) {
 TomlEntry parse_override(const std::string& text) {
     const base::Place place{"--set", 0, 0, text};
     // the parser checks files; overrides come straight from the command line or a request
-    if (!base::is_utf8(text)) throw Error(ErrorKind::input, {"an override is not UTF-8 text", "", ""}, place);
+    if (!base::is_utf8(text))
+        throw Error(ErrorKind::input, {"an override is not UTF-8 text", other_encoding, "Type it in UTF-8."}, place);
     if (base::has_control(text))
         throw Error(ErrorKind::input,
                     {"\"" + base::visible(text) + "\" holds a control character", "an override is one line of text",

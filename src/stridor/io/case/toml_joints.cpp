@@ -92,6 +92,12 @@ std::optional<TomlEntry> entry_for(const TomlEntry& entry, std::size_t number, c
     return own;
 }
 
+// "joint.preload": a key of the contact that stands with those of the joint itself
+bool is_misplaced(const TomlEntry& own) {
+    return is_below(own.key, list_key) && parameters::find_field(own.key) == nullptr &&
+           parameters::find_field("contact." + own.key.substr(list_key.size() + 1)) != nullptr;
+}
+
 // a joint of which nothing follows the temperature has no table: another one's may have taken all lists
 void drop_empty_table(TomlDocument& own, const TomlDocument& document) {
     const bool has_other = std::any_of(document.entries.begin(), document.entries.end(), [](const TomlEntry& entry) {
@@ -158,7 +164,14 @@ std::vector<JointDocument> joint_documents(const TomlDocument& document, Complai
                  document.find(table_key(number) + ".name")->value_place});
         for (const TomlEntry& entry : document.entries)
             complaints.keep([&] {
-                if (auto own = entry_for(entry, number, joint.name)) joint.document.entries.push_back(std::move(*own));
+                auto own = entry_for(entry, number, joint.name);
+                if (own && is_misplaced(*own))
+                    complaints.add({ErrorKind::input,
+                                    {"unknown key " + own->key, "what presses and rubs has a section in each joint",
+                                     "Write it below [joint.contact] of this joint."},
+                                    own->key_place});
+                else if (own)
+                    joint.document.entries.push_back(std::move(*own));
             });
         drop_empty_table(joint.document, document);
         joints.push_back(std::move(joint));

@@ -239,6 +239,7 @@ std::string matrix_lines(const parameters::OwnStructure& own) {
     number("loss_factor", own.following.loss_factor, "1");
     number("rayleigh_mass", own.following.rayleigh_mass, "1/s");
     number("rayleigh_stiffness", own.following.rayleigh_stiffness, "s");
+    number("left_out_above", own.left_out_above, "Hz");
     vector("load", own.load);
     vector("force", own.force);
     vector("initial_displacement", own.initial_displacement);
@@ -326,7 +327,7 @@ std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
             say("0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that where cells differ");
         text += "refine = " + std::to_string(study.refine) + "\n";
     }
-    text += say("each cell is run from all of these instead of run.initial, and shows the loudest");
+    text += say("each cell is run from all of these instead of run.initial, and shows the worst");
     if (study.starts.empty()) return text + say("starts = " + list_text(sweep::start_names(), std::identity{}));
     return text + "starts = " +
            list_text(study.starts,

@@ -2,6 +2,7 @@
 
 #include "stridor/advice/design_space.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/parameters/case_key.hpp"
 
@@ -51,6 +52,11 @@ sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, i
         axis.scale = static_cast<sweep::Scale>(found - sweep::scale_names.begin());
     }
     return axis;
+}
+
+std::string axis_text(const sweep::Axis& axis) {
+    return axis.parameter + "=" + base::shortest(axis.from) + ":" + base::shortest(axis.to) + ":" +
+           std::to_string(axis.points) + ":" + std::string(sweep::scale_names[static_cast<std::size_t>(axis.scale)]);
 }
 
 }  // namespace stridor::io

@@ -20,4 +20,7 @@ inline constexpr int usual_points_alone = 200;
 /// `option` is what messages call it: "--x". Throws `Error` (input).
 sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, int points, const std::string& option);
 
+/// The text of an axis, which reads back as the same.
+std::string axis_text(const sweep::Axis& axis);
+
 }  // namespace stridor::io

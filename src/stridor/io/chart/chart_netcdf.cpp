@@ -93,7 +93,7 @@ std::vector<VerdictVariable> verdict_variables(const sweep::Study& study) {
          }},
         {"quiet_because",
          {classification::quiet_names, "not_done"},
-         "is it quiet, and because the contact slides or sticks? -1 where the cell is not done",
+         "is it quiet, and because the contact slides, sticks or locks? -1 where the cell is not done",
          [](const SweepResult& result, std::size_t index) {
              const sweep::CellVerdict& cell = result.cells[index];
              return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
@@ -257,7 +257,8 @@ void write_apart(const std::string& path, const std::string& temporary, const sw
 
 // what a chart takes on the disk at most [bytes], generously
 std::size_t room_of(const sweep::SweepResult& result, std::size_t figures) {
-    constexpr std::size_t frame = std::size_t{1} << 20U;
+    // matrices stand in the text of a case
+    const std::size_t frame = (std::size_t{1} << 20U) + 4 * sweep::canonical_text(result.study).size();
     const std::size_t filled = result.study.refine > 0 ? sweep::computed_count(result) : result.cells.size();
     return frame + filled * figures * sizeof(double) + result.cells.size() * (5 + result.study.starts.size());
 }

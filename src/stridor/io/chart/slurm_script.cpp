@@ -50,11 +50,12 @@ if [ ! -f "$0" ]; then
     exit 2
 fi
 
-# One round: the shares, and after them, however they ended, the merge. A task that Slurm requeues or ends goes on from
-# what its store holds; it has 30 s to keep what it has.
+# One round: the shares that lack cells, and after them, however they ended, the merge. A task that Slurm requeues or
+# ends goes on from what its store holds; it has 30 s to keep what it has.
 submit() {{
-    array=$(sbatch --parsable --array=0-$((shares - 1)) --requeue --signal=B:TERM@30 --cpus-per-task="$threads" \
-        "${{limits[@]}}" --output="$folder/slurm-%A-%a.log" "$0" share) || exit
+    tasks=$("$program" chart-status "$folder" --lacking "$shares")
+    array=$(sbatch --parsable --array="${{tasks:-0-$((shares - 1))}}" --requeue --signal=B:TERM@30 \
+        --cpus-per-task="$threads" "${{limits[@]}}" --output="$folder/slurm-%A-%a.log" "$0" share) || exit
     array=${{array%%;*}}
     after=$(sbatch --parsable --dependency="afterany:$array" --cpus-per-task="$threads" "${{limits[@]}}" \
         --output="$folder/slurm-%j-merge.log" "$0" merge "$1") || exit

@@ -66,10 +66,8 @@ Json store_object(const StoreState& state) {
                 {"standing", name_of(sweep::standing_names, state.standing)},
                 {"cells", state.cells},
                 {"owner", owner_object(state.owner)}};
-    if (state.share) {
-        object["share"] = text_of(*state.share);
-        object["missing"] = state.missing;
-    }
+    if (state.share) object["share"] = text_of(*state.share);
+    object["missing"] = state.missing;
     if (!state.problem.empty()) object["problem"] = state.problem;
     return object;
 }
@@ -97,6 +95,24 @@ std::string status_text(const sweep::Study& study, const sweep::ChartState& stat
                 standing_text(share) + "\n";
     }
     if (lines > most_lines) text += fmt::format("  and {} more\n", lines - most_lines);
+    return text;
+}
+
+std::string lacking_text(const sweep::ChartState& state, std::size_t count) {
+    std::vector<bool> lacks(count, !state.is_merged);
+    for (const StoreState& share : state.shares)
+        if (share.share && share.share->count == count)
+            lacks[share.share->index] = share.missing > 0 || share.standing == StoreStanding::unreadable;
+    std::string text;
+    for (std::size_t first = 0; first < count; ++first) {
+        if (!lacks[first]) continue;
+        std::size_t last = first;
+        while (last + 1 < count && lacks[last + 1])
+            ++last;
+        text += (text.empty() ? "" : ",") + std::to_string(first);
+        if (last > first) text += "-" + std::to_string(last);
+        first = last;
+    }
     return text;
 }
 

@@ -43,7 +43,9 @@ void put_figures(Json& object, const analysis::Evidence& evidence) {
     const analysis::Alternation& alternation = evidence.alternation;
     for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
         place_of(object, figure.key) = figure_value(figure, evidence);
-        if (figure.key == "variation") object["mismatch"] = alternation.mismatch;
+        if (figure.key == "variation")
+            for (const analysis::Mismatch& mismatch : alternation.mismatch)
+                object["mismatch"].push_back(mismatch.mean);
         if (figure.key == "lag")
             object["beat"] = {{"from", name_of(model::contact_state_names, alternation.from)},
                               {"to", name_of(model::contact_state_names, alternation.to)}};
@@ -58,6 +60,7 @@ Json verdict_object(const classification::Verdict& verdict) {
     put_figures(object, verdict.evidence);
     object["margins"] = margins_array(verdict.margins);
     object["reasons"] = verdict.reasons;
+    object["warnings"] = verdict.warnings;
     return object;
 }
 
@@ -84,7 +87,8 @@ Json interface_object(const Case& c, const classification::InterfaceVerdict& ver
 
 // of a case with several joints or a structure of its own: each contact by itself, called as it is there
 void put_contacts(Json& object, const Case& c, const record::Tally& phase) {
-    const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
+    const classification::PhaseVerdicts all =
+        classification::classify_all(phase, c.verdict, classification::contact_names(c));
     Json contacts = Json::array(), interfaces = Json::array();
     for (std::size_t k = 0; k < all.contacts.size(); ++k)
         contacts.push_back({{"name", parameters::contact_name(c, k)},
@@ -98,7 +102,8 @@ void put_contacts(Json& object, const Case& c, const record::Tally& phase) {
 
 // the same phase of contacts without inertia, and whether its verdict agrees
 Json massless_object(const Case& c, const record::Tally& with, const record::Tally& without) {
-    const classification::PhaseVerdicts verdicts = classification::classify_all(without, c.verdict);
+    const classification::PhaseVerdicts verdicts =
+        classification::classify_all(without, c.verdict, classification::contact_names(c));
     Json contacts = Json::array();
     for (std::size_t k = 0; k < verdicts.contacts.size(); ++k)
         contacts.push_back({{"name", parameters::contact_name(c, k)},
@@ -145,6 +150,8 @@ Json simulation_units(const Case& c) {
                       {"outcome.limit_cycle.residual", "1"},
                       {"outcome.ending.since", "s"},
                       {"outcome.ending.release", "s"},
+                      {"outcome.ending.growth", "1/s"},
+                      {"outcome.ending.grown", "s"},
                       {"energy", "J"},
                       {"energy.relative_residual", "1"},
                       {"phases.window", "s"},
@@ -159,7 +166,7 @@ Json simulation_units(const Case& c) {
             units["phases.verdict." + key] = figure.unit;
     }
     units["phases.verdict.margins"] = "1";
-    if (c.run.engine == parameters::Engine::moreau)
+    if (c.run.engine != parameters::Engine::exact)
         units.update(Json{{"engine.compared_step", "s"},
                           {"phases.verdict.step_change", "1"},
                           {"phases.verdict.judged_step_change", "1"}});
@@ -278,7 +285,9 @@ Json outcome_object(const Case& c, const integration::Motion& motion) {
     object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
                         {"since", ending.since},
                         {"future", name_of(record::future_names, ending.outlook.future)},
-                        {"release", ending.outlook.release}};
+                        {"release", ending.outlook.release},
+                        {"growth", ending.outlook.growth},
+                        {"grown", ending.outlook.grown}};
     return object;
 }
 
@@ -286,7 +295,10 @@ Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
     const auto text = [&](const char* key) { return parameters::value_text(c, *parameters::find_field(key)); };
     Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
     if (c.run.engine == parameters::Engine::beta_2)
-        object.update(Json{{"step", c.run.step}, {"beta_2", c.run.beta_2}, {"step_limit", cost.step_limit}});
+        object.update(Json{{"step", c.run.step},
+                           {"compared_step", 2.0 * c.run.step},
+                           {"beta_2", c.run.beta_2},
+                           {"step_limit", cost.step_limit}});
     if (c.run.engine == parameters::Engine::moreau)
         object.update(Json{{"step", c.run.step},
                            {"compared_step", 2.0 * c.run.step},

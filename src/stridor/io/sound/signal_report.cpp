@@ -21,6 +21,7 @@ Json channels_of(const SignalSummary& summary) {
         const signal::Channel& channel = summary.layout.channels[k];
         channels.push_back({{"name", channel.name},
                             {"unit", channel.unit},
+                            {"unit_in_file", base::text_or_null(summary.facts.units_in_file[k])},
                             {"full_scale", summary.facts.full_scales[k].value},
                             {"calibration", name(summary.facts.calibrations[k])},
                             {"peak", summary.peaks[k]}});
@@ -64,7 +65,9 @@ std::string convert_json(const SignalSummary& summary, const std::optional<Signa
     document["rate"] = summary.layout.rate;
     document["frames"] = frames;
     document["duration"] = static_cast<double>(frames) / summary.layout.rate;
+    document["time"] = base::text_or_null(summary.facts.time);
     document["channels"] = channels_of(summary);
+    document["left_out"] = summary.facts.left_out;
     document["notes"] = summary.facts.notes;
     document["metadata"] = Json::object();
     for (const auto& [key, value] : summary.facts.metadata)

@@ -38,8 +38,9 @@ void expect_solids(const std::vector<RowLabel>& labels, const std::string& file)
     for (const RowLabel& label : labels)
         if (!seen.insert(label).second)
             throw refusal(file, fmt::format("the label {} stands for several rows", reduction::describe(label)),
-                          "CalculiX expands beams and shells to solids, and gives their new rows the old node number",
-                          "Use solids (C3D8, C3D10, C3D20), or masses and springs.");
+                          "CalculiX gives further rows the number of an old node: where it expands beams and shells to "
+                          "solids, and for the inner modes of C3D8I",
+                          "Use other solids (C3D8, C3D10, C3D20), or masses and springs.");
 }
 
 void expect_rows(const ListedMatrix& matrix, std::size_t labels, const std::string& label_file) {

@@ -1,6 +1,7 @@
 #include "stridor/io/structure/calculix_deck.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/io/structure/set_table.hpp"
 #include "stridor/recordings/refusal.hpp"
 
 #include <fmt/format.h>
@@ -62,12 +63,13 @@ public:
             FieldScanner scanner(*line, input.name);
             if (keyword_.name == "NODE") take_node(scanner, line->text);
             if (keyword_.name == "NSET") take_members(scanner);
+            if (keyword_.name == "ELEMENT") take_element(scanner, text.ends_with(','));
+            if (keyword_.name == "BOUNDARY") hold(scanner.word());
         }
     }
 
     CalculixDeck finish() {
-        for (auto& [name, nodes] : members_)
-            deck_.sets[set_places_.at(name)].nodes = std::move(nodes);
+        deck_.sets = sets_.take();
         return std::move(deck_);
     }
 
@@ -75,6 +77,7 @@ private:
     void take_keyword(const TextLine& line, const StructureInput& input, int level) {
         const FieldScanner scanner(line, input.name);
         keyword_ = keyword_of(base::trimmed(line.text));
+        is_open_ = false;
         if (keyword_.name == "INCLUDE") return include(scanner, input, level);
         if (keyword_.name == "CONTACTPAIR")
             throw scanner.refusal("the model has a contact pair",
@@ -90,11 +93,11 @@ private:
         if (keyword_.name == "TIE" || keyword_.name == "EQUATION" || keyword_.name == "TRANSFORM" ||
             keyword_.name == "RIGIDBODY" || keyword_.name == "MPC")
             note(keyword_.name);
-        if (keyword_.name == "NODE" && keyword_.values.contains("NSET")) begin_set(keyword_.values["NSET"]);
+        if (keyword_.name == "NODE" && keyword_.values.contains("NSET")) begin_set(scanner);
         if (keyword_.name == "NSET") {
             if (keyword_.values["NSET"].empty())
                 throw scanner.refusal("the node set has no name", "*NSET needs NSET=NAME");
-            begin_set(keyword_.values["NSET"]);
+            begin_set(scanner);
         }
     }
 
@@ -120,10 +123,16 @@ private:
         keyword_ = {};
     }
 
-    void begin_set(const std::string& name) {
-        current_ = upper(name);
-        if (set_places_.try_emplace(current_, deck_.sets.size()).second) deck_.sets.push_back({name, {}});
-        members_[current_];
+    void begin_set(const FieldScanner& scanner) {
+        const std::string& name = keyword_.values["NSET"];
+        current_ = sets_.place_of(upper(name), name);
+        expect_room(scanner, 0);
+    }
+
+    // for so many more nodes in sets
+    void expect_room(const FieldScanner& scanner, std::size_t nodes) const {
+        if (const auto problem = sets_.excess(nodes))
+            throw scanner.refusal(problem->what, problem->why, problem->suggestion);
     }
 
     void take_node(FieldScanner& scanner, std::string_view line) {
@@ -140,48 +149,68 @@ private:
             position[axis] = *value;
         }
         deck_.positions[node] = position;
-        if (keyword_.values.contains("NSET")) members_[current_].push_back(node);
+        if (keyword_.values.contains("NSET")) add_member(scanner, node);
+    }
+
+    // a line that ends with a comma goes on in the next
+    void take_element(FieldScanner& scanner, bool goes_on) {
+        if (!is_open_) {
+            scanner.word();  // its number
+            deck_.elements.push_back({upper(keyword_.values["TYPE"]), {}});
+        }
+        for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+            deck_.elements.back().nodes.emplace_back(word);
+        is_open_ = goes_on;
+    }
+
+    void hold(std::string_view name) {
+        if (const std::optional<std::size_t> set = sets_.find(upper(name)))
+            deck_.held.insert(sets_.nodes_of(*set).begin(), sets_.nodes_of(*set).end());
+        else
+            deck_.held.emplace(name);
+    }
+
+    void add_member(const FieldScanner& scanner, std::string node) {
+        expect_room(scanner, 1);
+        sets_.add(current_, std::move(node));
     }
 
     void take_members(FieldScanner& scanner) {
-        std::vector<std::string>& nodes = members_[current_];
-        if (keyword_.values.contains("GENERATE")) return generate(scanner, nodes);
+        if (keyword_.values.contains("GENERATE")) return generate(scanner);
         for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
             if (const auto node = integer_in(word)) {
-                nodes.push_back(std::to_string(*node));
+                add_member(scanner, std::to_string(*node));
                 continue;
             }
-            const auto other = members_.find(upper(word));
-            if (other == members_.end()) throw scanner.refusal(fmt::format("there is no node set \"{}\"", word));
-            if (other->first == current_) throw scanner.refusal(fmt::format("the node set {} holds itself", word));
-            if (nodes.size() + other->second.size() > static_cast<std::size_t>(most_members))
-                throw scanner.refusal("the node set is too large", "its sets stand in each other");
-            nodes.insert(nodes.end(), other->second.begin(), other->second.end());
+            const std::optional<std::size_t> other = sets_.find(upper(word));
+            if (!other) throw scanner.refusal(fmt::format("there is no node set \"{}\"", word));
+            if (*other == current_) throw scanner.refusal(fmt::format("the node set {} holds itself", word));
+            expect_room(scanner, sets_.nodes_of(*other).size());
+            for (const std::string& node : sets_.nodes_of(*other))
+                sets_.add(current_, node);
         }
     }
 
-    void generate(FieldScanner& scanner, std::vector<std::string>& nodes) {
+    void generate(FieldScanner& scanner) {
         const std::int64_t first = scanner.integer("the first node");
         const std::int64_t last = scanner.integer("the last node");
         const std::string_view word = scanner.word();
         const std::int64_t step = word.empty() ? 1 : integer_in(word).value_or(0);
-        if (first < 1 || last < first || last > most_generated || step < 1 ||
-            (last - first) / step > most_members - static_cast<std::int64_t>(nodes.size()))
+        if (first < 1 || last < first || last > most_generated || step < 1)
             throw scanner.refusal("these nodes cannot be counted", "GENERATE needs first, last and step, rising");
+        expect_room(scanner, static_cast<std::size_t>((last - first) / step + 1));
         for (std::int64_t node = first; node <= last; node += step)
-            nodes.push_back(std::to_string(node));
+            sets_.add(current_, std::to_string(node));
     }
-
-    static constexpr std::int64_t most_members = 2'000'000;
 
     const IncludeOpener& open_include_;
     CalculixDeck deck_;
     Keyword keyword_;
-    std::string current_;                                      // set, in capitals
-    std::map<std::string, std::size_t> set_places_;            // in the deck's list
-    std::map<std::string, std::vector<std::string>> members_;  // by the name in capitals
+    SetTable sets_;            // by their names in capitals
+    std::size_t current_ = 0;  // place of the set that is filled
     int includes_ = 0;
     bool has_transform_ = false;
+    bool is_open_ = false;  // the last element
 };
 
 }  // namespace

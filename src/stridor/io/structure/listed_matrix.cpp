@@ -161,8 +161,8 @@ std::string penalty_note(Eigen::Index rows) {
 }  // namespace
 
 std::string_view name_of(MatrixRole role) {
-    constexpr std::array<std::string_view, 6> names{"stiffness",          "mass", "damping",
-                                                    "structural damping", "load", "matrix"};
+    constexpr std::array<std::string_view, 6> names{"stiffness",          "mass",  "damping",
+                                                    "structural damping", "other", "matrix"};
     return names.at(static_cast<std::size_t>(role));
 }
 
@@ -172,8 +172,7 @@ MatrixRole role_of_name(std::string_view name) {
     if (large.starts_with("K")) return MatrixRole::stiffness;
     if (large.starts_with("M")) return MatrixRole::mass;
     if (large.starts_with("B")) return MatrixRole::damping;
-    if (large.starts_with("P")) return MatrixRole::load;
-    return MatrixRole::untold;
+    return MatrixRole::other;
 }
 
 void add_entry(ListedMatrix& matrix, const FieldScanner& scanner, std::int64_t row, std::int64_t column, double value) {

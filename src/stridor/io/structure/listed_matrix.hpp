@@ -12,12 +12,13 @@
 namespace stridor::io::structure {
 
 /// What a matrix of a structure is.
-enum class MatrixRole { stiffness, mass, damping, structural_damping, load, untold };
+enum class MatrixRole { stiffness, mass, damping, structural_damping, other, untold };
 
 /// "stiffness", "mass" and so on.
 std::string_view name_of(MatrixRole role);
 
-/// What Nastran's names tell: KAAX, MAAX, BAAX, K4AAX, PAX.
+/// What Nastran's names tell: KAAX, MAAX, BAAX, K4AAX; any other (PAX, GPXX) is no matrix that a part vibrates by.
+/// Several names may begin alike: MXX is a mass, MUG1O is not. `chosen_matrices` tells them apart.
 MatrixRole role_of_name(std::string_view name);
 
 /// Which entries of a symmetric matrix a file lists.
@@ -33,6 +34,7 @@ struct ListedMatrix {
     std::string name{};  // its own, where it has one: "KAAX"
     MatrixRole role = MatrixRole::untold;
     Triangles triangles = Triangles::untold;
+    bool is_passed_over = false;  // rectangular, or complex: it has no entries
     Eigen::Index rows = 0;
     std::vector<Eigen::Triplet<double>> entries{};  // rows and columns from 0
     std::vector<reduction::RowLabel> labels{};      // shape [row]; empty where the file has none

@@ -1,9 +1,11 @@
 #include "stridor/io/structure/matrix_market.hpp"
 
+#include "stridor/base/text.hpp"
 #include "stridor/recordings/refusal.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace stridor::io::structure {
@@ -45,7 +47,7 @@ public:
     std::optional<TextLine> first() { return lines_.next(); }
     std::optional<TextLine> next() {
         while (const auto line = lines_.next())
-            if (line->text.find_first_not_of(" \t") != std::string_view::npos && !line->text.starts_with('%'))
+            if (const std::string_view text = base::trimmed(line->text); !text.empty() && text.front() != '%')
                 return line;
         return std::nullopt;
     }
@@ -97,7 +99,9 @@ void read_array(DataLines& lines, ListedMatrix& matrix, bool is_symmetric) {
 }  // namespace
 
 bool is_matrix_market(std::string_view beginning) {
-    return upper(beginning.substr(0, 14)) == "%%MATRIXMARKET";
+    // some programs put a blank before it, or lose one of its marks
+    const std::string_view text = beginning.substr(std::min(beginning.find_first_not_of(" \t"), beginning.size()));
+    return upper(text.substr(0, 14)) == "%%MATRIXMARKET" || upper(text.substr(0, 13)) == "%MATRIXMARKET";
 }
 
 ListedMatrix read_matrix_market(const StructureInput& input) {

@@ -145,6 +145,22 @@ MatrixRole role_of_array(std::string_view name) {
     return role_of_name(large);
 }
 
+// what has another name may be of any kind: it is left out unless it is asked for
+ListedMatrix named_array(const std::string& name, const std::string& bytes, const std::string& file) {
+    ListedMatrix matrix{.file = file, .name = name, .is_passed_over = true};
+    const MatrixRole role = role_of_array(name);
+    try {
+        const NumpyArray array = read_numpy_array(bytes, file + ": " + name);
+        const bool is_square = array.shape.size() == 2 && array.shape[0] == array.shape[1];
+        if (is_square || role != MatrixRole::other) matrix = dense_matrix(array, file);
+    } catch (const base::Error&) {
+        if (role != MatrixRole::other) throw;
+    }
+    matrix.name = name;
+    matrix.role = role;
+    return matrix;
+}
+
 }  // namespace
 
 std::vector<ListedMatrix> numpy_matrices(const Members& members, const std::string& file) {
@@ -154,14 +170,10 @@ std::vector<ListedMatrix> numpy_matrices(const Members& members, const std::stri
         if (!name.ends_with(".npy"))
             throw refusal(file, "it holds something else than arrays of NumPy", "a .npz holds files .npy");
         const std::string bare = name.substr(0, name.size() - 4);
-        const MatrixRole role = role_of_array(bare);
-        if (role == MatrixRole::load) continue;
-        ListedMatrix matrix = dense_matrix(read_numpy_array(bytes, file + ": " + bare), file);
-        matrix.name = bare;
-        matrix.role = role;
-        matrices.push_back(std::move(matrix));
+        matrices.push_back(named_array(bare, bytes, file));
     }
-    if (matrices.empty()) throw refusal(file, "there is no matrix in it");
+    if (std::all_of(matrices.begin(), matrices.end(), [](const auto& each) { return each.is_passed_over; }))
+        throw refusal(file, "there is no matrix in it");
     return matrices;
 }
 

@@ -3,6 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/structure/abaqus_matrix.hpp"
 #include "stridor/io/structure/calculix.hpp"
+#include "stridor/io/structure/chosen_matrices.hpp"
 #include "stridor/io/structure/harwell_boeing.hpp"
 #include "stridor/io/structure/matrix_market.hpp"
 #include "stridor/io/structure/nastran/dmig.hpp"
@@ -67,6 +68,9 @@ public:
     }
 
     void take(const std::string& path, MatrixRole role) {
+        const std::size_t mark = path.rfind(':');  // FILE:NAME, one of several matrices of a file
+        if (role != MatrixRole::untold && mark != std::string::npos && !open_(path))
+            return take_named(path.substr(0, mark), path.substr(mark + 1), role);
         const StructureInput found = input(path);
         Beginning beginning{recordings::text_at(*found.bytes, 0, looked_at), {}, {}};
         find_lines(beginning);
@@ -90,27 +94,31 @@ public:
     }
 
     ElasticPart finish() {
-        ListedMatrix* stiffness = only(MatrixRole::stiffness, "--stiffness");
-        ListedMatrix* mass = only(MatrixRole::mass, "--mass");
-        ListedMatrix* damping = only(MatrixRole::damping, "--damping");
-        if (stiffness == nullptr) refuse_lack("stiffness", "--stiffness");
-        if (mass == nullptr) refuse_lack("mass", "--mass");
-        const bool is_labelled = !stiffness->labels.empty();
-        ElasticPart part;
-        if (damping != nullptr)
-            part = joined_part(*stiffness, *mass, damping);
-        else
-            part = joined_part(*stiffness, *mass, nullptr);
+        const PartMatrices chosen = chosen_matrices(matrices_);
+        const bool is_labelled = !chosen.stiffness->labels.empty();
+        ElasticPart part = joined_part(*chosen.stiffness, *chosen.mass, chosen.damping);
         if (!is_labelled) put_labels(part);
         part.positions = std::move(positions_);
         part.sets = std::move(sets_);
-        for (const ListedMatrix& matrix : matrices_)
-            if (matrix.role == MatrixRole::structural_damping)
-                part.notes.push_back(fmt::format("{} holds structural damping, which is left out", matrix.name));
+        part.notes.insert(part.notes.end(), chosen.notes.begin(), chosen.notes.end());
         return part;
     }
 
 private:
+    void take_named(const std::string& path, const std::string& name, MatrixRole role) {
+        PartReader of_file(open_);
+        of_file.take(path, MatrixRole::untold);
+        positions_.merge(of_file.positions_);
+        std::string names;
+        for (ListedMatrix& matrix : of_file.matrices_) {
+            names += (names.empty() ? "" : ", ") + matrix.name;
+            if (matrix.name != name || matrix.is_passed_over) continue;
+            matrix.role = role;
+            return matrices_.push_back(std::move(matrix));
+        }
+        throw refusal(path, fmt::format("there is no square matrix {} in it", name), "it holds " + names);
+    }
+
     bool take_matrices(const StructureInput& found, const Beginning& beginning, MatrixRole role) {
         if (is_zip(beginning.text)) return take_npz(found, role);
         if (is_output4_binary(beginning.text)) return add(read_output4_binary(found));
@@ -145,6 +153,7 @@ private:
     // one sparse matrix, which does not say what it is, or dense ones with names
     bool take_npz(const StructureInput& found, MatrixRole role) {
         std::vector<ListedMatrix> matrices = read_npz(found);
+        if (matrices.front().role == MatrixRole::other) matrices.front().role = MatrixRole::untold;
         if (matrices.size() == 1) return add(std::move(matrices.front()), role);
         return add(std::move(matrices));
     }
@@ -199,27 +208,6 @@ private:
         part.labels = labels_;
     }
 
-    ListedMatrix* only(MatrixRole role, std::string_view option) {
-        ListedMatrix* found = nullptr;
-        for (ListedMatrix& matrix : matrices_) {
-            if (matrix.role != role) continue;
-            if (found != nullptr)
-                throw refusal(matrix.file, fmt::format("there is more than one {}", name_of(role)),
-                              fmt::format("one stands in {}", found->file), fmt::format("Name one with {}.", option));
-            found = &matrix;
-        }
-        return found;
-    }
-
-    [[noreturn]] void refuse_lack(std::string_view what, std::string_view option) const {
-        std::string files;
-        for (const ListedMatrix& matrix : matrices_)
-            if (files.find(matrix.file) == std::string::npos) files += (files.empty() ? "" : ", ") + matrix.file;
-        throw refusal(files.empty() ? "" : files, fmt::format("there is no {} among the files", what),
-                      "a structure vibrates by its stiffness and its mass",
-                      fmt::format("Add it, or name it with {} FILE.", option));
-    }
-
     const FileOpener& open_;
     std::vector<ListedMatrix> matrices_;
     std::vector<reduction::RowLabel> labels_;
@@ -248,7 +236,12 @@ ElasticPart read_calculix_job(const PartFiles& files, const FileOpener& open) {
         return std::filesystem::path(files.files.front()).replace_extension(ending).string();
     };
     const PartReader reader(open);
-    CalculixFiles job{.stiffness = reader.input(path_of(".sti")),
+    auto stiffness = open(path_of(".sti"));
+    if (!stiffness)
+        throw refusal(files.files.front(), fmt::format("there is no {} beside it", path_of(".sti")),
+                      "CalculiX stores the matrices there if it is told to",
+                      "Let the deck's step be *FREQUENCY, SOLVER=MATRIXSTORAGE and run CalculiX.");
+    CalculixFiles job{.stiffness = *std::move(stiffness),
                       .mass = reader.input(path_of(".mas")),
                       .labels = reader.input(path_of(".dof")),
                       .deck = open(path_of(".inp"))};

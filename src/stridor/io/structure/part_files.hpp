@@ -11,7 +11,7 @@ namespace stridor::io {
 /// The files that a user names.
 struct PartFiles {
     std::vector<std::string> files{};  // their kind is told by their bytes, or for CalculiX by their endings
-    std::string stiffness{};           // a matrix that does not say what it is; empty: none
+    std::string stiffness{};           // a matrix that does not say what it is, FILE or FILE:NAME; empty: none
     std::string mass{};
     std::string damping{};
     std::string labels{};  // labels of rows: a table, or Ansys' mapping

@@ -3,8 +3,10 @@
 #include "stridor/base/confined_process.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/packed_bytes.hpp"
+#include "stridor/base/sha256.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/netcdf_library.hpp"
+#include "stridor/io/structure/set_table.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/storage/atomic_file.hpp"
@@ -15,7 +17,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -35,6 +39,92 @@ constexpr std::array<std::string_view, 7> component_names{"none",       "x",    
                                                           "rotation_x", "rotation_y", "rotation_z"};
 constexpr std::string_view schema = "stridor.structure/1";
 
+// what is read of a file, by name, in the order of the checksum
+constexpr std::array numeric{"stiffness",      "mass",     "damping",  "row_component",
+                             "mode_frequency", "position", "recovery", "recovered_component"};
+constexpr std::array worded{"row_node", "node", "node_sets", "recovered_node"};
+constexpr std::array said{"schema", "contact_inertia", "method"};
+constexpr const char* checksum_name = "content_sha256";
+
+/// What a file holds; what it lacks is empty.
+struct PartContent {
+    std::map<std::string, std::string> texts;
+    std::map<std::string, std::vector<double>> numbers;
+    std::map<std::string, std::vector<std::string>> words;
+};
+
+// lowest byte first, on any machine
+void add_whole(base::Sha256& digest, std::uint64_t value) {
+    std::array<char, 8> bytes;
+    for (std::size_t k = 0; k < bytes.size(); ++k)
+        bytes[k] = static_cast<char>(value >> (8 * k) & 0xFFU);
+    digest.add({bytes.data(), bytes.size()});
+}
+
+void add_text(base::Sha256& digest, std::string_view text) {
+    add_whole(digest, text.size());
+    digest.add(text);
+}
+
+// of all that is read of a file: a bit that a disk or a copy turned gives another part, and no error of HDF5's
+std::string checksum_of(PartContent& content) {
+    base::Sha256 digest;
+    for (const char* name : said)
+        add_text(digest, content.texts[name]);
+    for (const char* name : numeric) {
+        add_whole(digest, content.numbers[name].size());
+        for (const double number : content.numbers[name])
+            add_whole(digest, std::bit_cast<std::uint64_t>(number));
+    }
+    for (const char* name : worded) {
+        add_whole(digest, content.words[name].size());
+        for (const std::string& word : content.words[name])
+            add_text(digest, word);
+    }
+    return digest.text();
+}
+
+/// Puts what a part holds into its file, and remembers it for the checksum.
+class PartWriter {
+public:
+    explicit PartWriter(NetcdfDataset& file) : file_(file) {}
+
+    void text(const std::string& name, const std::string& text) {
+        file_.attribute(name, text);
+        content_.texts[name] = text;
+    }
+    void numbers(const std::string& name, std::span<const int> along, std::vector<double> values,
+                 const Description& description) {
+        file_.doubles(name, along, values, description);
+        content_.numbers[name] = std::move(values);
+    }
+    void words(const std::string& name, int along, std::vector<std::string> values, const Description& description) {
+        file_.words(name, std::array{along}, values, description);
+        content_.words[name] = std::move(values);
+    }
+    void labels(const std::string& prefix, int along, const std::vector<RowLabel>& labels) {
+        std::vector<std::string> nodes;
+        std::vector<signed char> components;
+        for (const RowLabel& label : labels) {
+            nodes.push_back(label.node);
+            components.push_back(static_cast<signed char>(label.component));
+        }
+        words(prefix + "_node", along, std::move(nodes), {"", "node, or the mode's name"});
+        file_.flags(prefix + "_component", std::array{along}, components, {component_names},
+                    {"", "direction of motion"});
+        content_.numbers[prefix + "_component"].assign(components.begin(), components.end());
+    }
+    /// The last that is put.
+    void checksum(const std::string& schema_text) {
+        content_.texts["schema"] = schema_text;
+        file_.attribute(checksum_name, checksum_of(content_));
+    }
+
+private:
+    NetcdfDataset& file_;
+    PartContent content_;
+};
+
 std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(matrix.size()));
@@ -44,38 +134,27 @@ std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
     return values;
 }
 
-void put_labels(NetcdfDataset& file, const std::string& prefix, int along, const std::vector<RowLabel>& labels) {
-    std::vector<std::string> nodes;
-    std::vector<signed char> components;
-    for (const RowLabel& label : labels) {
-        nodes.push_back(label.node);
-        components.push_back(static_cast<signed char>(label.component));
-    }
-    file.words(prefix + "_node", std::array{along}, nodes, {"", "node, or the mode's name"});
-    file.flags(prefix + "_component", std::array{along}, components, {component_names}, {"", "direction of motion"});
-}
-
 // places, and the sets that each node is in
-void put_nodes(NetcdfDataset& file, const ElasticPart& part) {
+void put_nodes(NetcdfDataset& file, PartWriter& writer, const ElasticPart& part) {
     if (part.positions.empty()) return;
     std::vector<std::string> names;
     std::vector<std::string> sets;
     std::vector<double> places;
+    std::map<std::string, std::vector<std::string_view>> sets_of;  // a node may stand in a set twice
+    for (const reduction::NodeSet& set : part.sets)
+        for (const std::string& node : set.nodes)
+            if (auto& its = sets_of[node]; its.empty() || its.back() != set.name) its.emplace_back(set.name);
     for (const auto& [node, position] : part.positions) {
         names.push_back(node);
         places.insert(places.end(), position.begin(), position.end());
-        std::string its;
-        for (const reduction::NodeSet& set : part.sets)
-            for (const std::string& member : set.nodes)
-                if (member == node && (" " + its + " ").find(" " + set.name + " ") == std::string::npos)
-                    its += (its.empty() ? "" : " ") + set.name;
-        sets.push_back(its);
+        sets.push_back(fmt::format("{}", fmt::join(sets_of[node], " ")));
     }
     const int node = file.dimension("node", names.size());
     const int axis = file.dimension("axis", 3);
-    file.words("node", std::array{node}, names, {"", "node"});
-    file.words("node_sets", std::array{node}, sets, {"", "sets that the node is in, with blanks between"});
-    file.doubles("position", std::array{node, axis}, places, {"m", "place of the node", MissingNumbers::no});
+    writer.words("node", node, std::move(names), {"", "node"});
+    writer.words("node_sets", node, std::move(sets), {"", "sets that the node is in, with blanks between"});
+    writer.numbers("position", std::array{node, axis}, std::move(places),
+                   {"m", "place of the node", MissingNumbers::no});
 }
 
 }  // namespace
@@ -84,16 +163,17 @@ void write_reduced_part(const std::string& path, const Reduction& reduction, con
     const ElasticPart& part = reduction.part;
     NetcdfDataset file(path);
     put_origin(file, "structure", "reduced finite-element part");
+    PartWriter writer(file);
     file.attribute("origin", origin);
-    file.attribute("method", std::string(name_of(reduction.method)));
+    writer.text("method", std::string(name_of(reduction.method)));
     if (reduction.solver != reduction::LinearSolver::eigen)
         file.attribute("solver", std::string(name_of(reduction.solver)));
-    file.attribute("contact_inertia", std::string(name_of(reduction.inertia)));
+    writer.text("contact_inertia", std::string(name_of(reduction.inertia)));
     const int row = file.dimension("row", part.labels.size());
     const int column = file.dimension("column", part.labels.size());
-    put_labels(file, "row", row, part.labels);
+    writer.labels("row", row, part.labels);
     const auto put = [&](const std::string& name, const Eigen::MatrixXd& matrix, const Description& description) {
-        file.doubles(name, std::array{row, column}, row_major(matrix), description);
+        writer.numbers(name, std::array{row, column}, row_major(matrix), description);
     };
     put("stiffness", Eigen::MatrixXd(part.stiffness), {"N/m", "stiffness", MissingNumbers::no});
     put("mass", Eigen::MatrixXd(part.mass), {"kg", "mass", MissingNumbers::no});
@@ -101,16 +181,17 @@ void write_reduced_part(const std::string& path, const Reduction& reduction, con
         put("damping", Eigen::MatrixXd(part.damping), {"N*s/m", "damping", MissingNumbers::no});
     if (!reduction.mode_frequencies.empty()) {
         const int mode = file.dimension("mode", reduction.mode_frequencies.size());
-        file.doubles("mode_frequency", std::array{mode}, reduction.mode_frequencies,
-                     {"Hz", "frequency of the mode", MissingNumbers::no});
+        writer.numbers("mode_frequency", std::array{mode}, reduction.mode_frequencies,
+                       {"Hz", "frequency of the mode", MissingNumbers::no});
     }
-    put_nodes(file, part);
+    put_nodes(file, writer, part);
     if (!reduction.recovered.empty()) {
         const int recovered = file.dimension("recovered", reduction.recovered.size());
-        put_labels(file, "recovered", recovered, reduction.recovered);
-        file.doubles("recovery", std::array{recovered, column}, row_major(reduction.recovery),
-                     {"1", "displacement of other rows = recovery * coordinates", MissingNumbers::no});
+        writer.labels("recovered", recovered, reduction.recovered);
+        writer.numbers("recovery", std::array{recovered, column}, row_major(reduction.recovery),
+                       {"1", "displacement of other rows = recovery * coordinates", MissingNumbers::no});
     }
+    writer.checksum(std::string(schema));
     file.finish([&](std::string_view bytes) { storage::write_file(path, bytes); });
 }
 
@@ -196,11 +277,6 @@ private:
     int file_;
 };
 
-constexpr std::array numeric{"stiffness",      "mass",     "damping",  "row_component",
-                             "mode_frequency", "position", "recovery", "recovered_component"};
-constexpr std::array worded{"row_node", "node", "node_sets", "recovered_node"};
-constexpr std::array said{"schema", "contact_inertia", "method"};
-
 // runs where it may do nothing but read its file and answer
 void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
     constexpr int descriptor = 4;  // what a confined process gets
@@ -220,6 +296,7 @@ void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel
             opened.numbers(name, packing);
         for (const char* name : worded)
             opened.words(name, packing);
+        opened.text(checksum_name, packing);
     }
     const std::string text = packing.take();
     const std::uint64_t length = text.size();
@@ -227,16 +304,9 @@ void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel
     channel.send(std::as_bytes(std::span(text)));
 }
 
-/// What the confined process answered.
-struct PartAnswer {
-    std::map<std::string, std::string> texts;
-    std::map<std::string, std::vector<double>> numbers;
-    std::map<std::string, std::vector<std::string>> words;
-};
-
-std::optional<PartAnswer> unpacked(const std::string& text) {
+std::optional<PartContent> unpacked(const std::string& text) {
     base::Unpacking unpacking(text);
-    PartAnswer found;
+    PartContent found;
     for (const char* name : said)
         found.texts[name] = unpacking.words();
     for (const char* name : numeric) {
@@ -249,10 +319,11 @@ std::optional<PartAnswer> unpacked(const std::string& text) {
         for (std::uint64_t k = 0; k < count && unpacking.is_good(); ++k)
             found.words[name].push_back(unpacking.words());
     }
+    found.texts[checksum_name] = unpacking.words();
     return unpacking.is_complete() ? std::optional(std::move(found)) : std::nullopt;
 }
 
-PartAnswer asked(const std::string& path) {
+PartContent asked(const std::string& path) {
     const auto bytes = recordings::open_plain_bytes(path);
     const auto descriptor = bytes->descriptor();
     if (!descriptor || bytes->size() > largest_file) throw recordings::refusal(path, "it is no reduced part");
@@ -279,10 +350,15 @@ PartAnswer asked(const std::string& path) {
         throw recordings::refusal(path, "it is no reduced part",
                                   "its schema is not " + std::string(schema) + ", or it is damaged",
                                   "Make one with `stridor structure reduce`.");
+    // a part that was written before there were checksums is taken as it is
+    const std::string& written = found->texts[checksum_name];
+    if (!written.empty() && written != checksum_of(*found))
+        throw recordings::refusal(path, "the file is damaged", "what it holds is not what was written into it",
+                                  "Copy it again, or make it anew with `stridor structure reduce`.");
     return std::move(*found);
 }
 
-std::vector<RowLabel> labels_in(PartAnswer& found, const std::string& prefix) {
+std::vector<RowLabel> labels_in(PartContent& found, const std::string& prefix) {
     const std::vector<std::string>& nodes = found.words[prefix + "_node"];
     const std::vector<double>& components = found.numbers[prefix + "_component"];
     std::vector<RowLabel> labels;
@@ -293,7 +369,7 @@ std::vector<RowLabel> labels_in(PartAnswer& found, const std::string& prefix) {
     return labels;
 }
 
-Eigen::MatrixXd matrix_in(const PartAnswer& found, const char* name, std::size_t rows, std::size_t columns,
+Eigen::MatrixXd matrix_in(const PartContent& found, const char* name, std::size_t rows, std::size_t columns,
                           const std::string& path) {
     const auto values = found.numbers.find(name);
     const std::size_t size = values == found.numbers.end() ? 0 : values->second.size();
@@ -308,30 +384,32 @@ Eigen::MatrixXd matrix_in(const PartAnswer& found, const char* name, std::size_t
     return matrix;
 }
 
-void take_nodes(ElasticPart& part, PartAnswer& found, const std::string& path) {
+void take_nodes(ElasticPart& part, PartContent& found, const std::string& path) {
     const std::vector<std::string>& nodes = found.words["node"];
     if (nodes.empty()) return;
     const std::vector<std::string>& sets = found.words["node_sets"];
     const Eigen::MatrixXd places = matrix_in(found, "position", nodes.size(), 3, path);
+    structure::SetTable table;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         part.positions[nodes[k]] = places.row(static_cast<Eigen::Index>(k)).transpose();
         const std::string its = k < sets.size() ? sets[k] : std::string();
         for (std::size_t from = its.find_first_not_of(' '); from < its.size();) {
             const std::size_t end = std::min(its.find(' ', from), its.size());
             const std::string name = its.substr(from, end - from);
-            auto set = std::find_if(part.sets.begin(), part.sets.end(),
-                                    [&](const reduction::NodeSet& each) { return each.name == name; });
-            if (set == part.sets.end()) set = part.sets.insert(part.sets.end(), {name, {}});
-            set->nodes.push_back(nodes[k]);
+            const std::size_t place = table.place_of(name, name);
+            if (const auto problem = table.excess(1))
+                throw recordings::refusal(path, problem->what, problem->why, problem->suggestion);
+            table.add(place, nodes[k]);
             from = std::min(its.find_first_not_of(' ', end), its.size());
         }
     }
+    part.sets = table.take();
 }
 
 }  // namespace
 
 Reduction read_reduced_part(const std::string& path) {
-    PartAnswer found = asked(path);
+    PartContent found = asked(path);
     Reduction reduction;
     ElasticPart& part = reduction.part;
     part.labels = labels_in(found, "row");

@@ -2,6 +2,7 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/io/structure/set_table.hpp"
 #include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
@@ -73,10 +74,13 @@ public:
                           "it is 1 to 6, UX to ROTZ, or empty");
         table_.labels.push_back({node, *number});
         take_position(line, node);
-        take_sets(node);
+        take_sets(line, node);
     }
 
-    RowTable finish() { return std::move(table_); }
+    RowTable finish() {
+        table_.sets = sets_.take();
+        return std::move(table_);
+    }
 
 private:
     std::string field(std::size_t column) const {
@@ -98,13 +102,15 @@ private:
         table_.positions[node] = position;
     }
 
-    void take_sets(const std::string& node) {
+    void take_sets(const TextLine& line, const std::string& node) {
         const std::string text = field(5);
-        for (const std::string_view name : recordings::words(text)) {
-            auto found = std::find_if(table_.sets.begin(), table_.sets.end(),
-                                      [&](const reduction::NodeSet& set) { return set.name == name; });
-            if (found == table_.sets.end()) found = table_.sets.insert(table_.sets.end(), {std::string(name), {}});
-            if (found->nodes.empty() || found->nodes.back() != node) found->nodes.push_back(node);
+        for (const std::string_view word : recordings::words(text)) {
+            const std::string name(word);
+            const std::size_t place = sets_.place_of(name, name);
+            if (const auto problem = sets_.excess(1))
+                throw refusal(place_of(input_.name, line, 1), problem->what, problem->why, problem->suggestion);
+            const std::vector<std::string>& nodes = sets_.nodes_of(place);
+            if (nodes.empty() || nodes.back() != node) sets_.add(place, node);
         }
     }
 
@@ -112,6 +118,7 @@ private:
     const RowColumns& layout_;
     std::vector<csv::CsvField> fields_;
     RowTable table_;
+    SetTable sets_;
 };
 
 }  // namespace

@@ -12,21 +12,23 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double logarithm_2_of_e = 1.4426950408889634074;
 
+// exp(x); below 1e-300 it is nothing beside what it is added to
+double exponential(double x) {
+    constexpr double least = -690.0;
+    return x < least ? 0.0 : base::power_of_2(logarithm_2_of_e * x);
+}
+
 // cos x + 1/cosh x = 0 near x = (k - 1/2) pi, by Newton's steps; the functions' bits are our own
 double clamped_free_root(int k) {
     double x = (k - 0.5) * pi;
     for (int step = 0; step < 8; ++step) {
-        const double decay = base::power_of_2(-logarithm_2_of_e * x);  // exp(-x)
-        const double secant = 2.0 * decay / (1.0 + decay * decay);     // 1/cosh x
+        const double decay = exponential(-x);
+        const double secant = 2.0 * decay / (1.0 + decay * decay);  // 1/cosh x
         const double tangent = (1.0 - decay * decay) / (1.0 + decay * decay);
         const base::SineCosine turned = base::sine_cosine_of_turns(x / (2.0 * pi));
         x += (turned.cosine + secant) / (turned.sine + tangent * secant);
     }
     return x;
-}
-
-double exponential(double x) {
-    return base::power_of_2(logarithm_2_of_e * x);
 }
 
 // cosh s - cos s - q (sinh s - sin s), s = root * place: of a beam as long as 1 and of the mean square 1. The growing

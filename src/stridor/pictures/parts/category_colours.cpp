@@ -30,6 +30,10 @@ Fill stuck_fill() {
     return {{0xC4, 0xCC, 0xD4}, Texture::none, {}};
 }
 
+Fill locked_fill() {
+    return {{0x9A, 0xA2, 0xAB}, Texture::crossed, {0x4A, 0x52, 0x5C}};
+}
+
 Fill failed_fill() {
     return {white, Texture::crossed, {0x88, 0x88, 0x88}};
 }

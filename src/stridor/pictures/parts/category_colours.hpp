@@ -17,6 +17,9 @@ drawing::Fill category_fill(classification::Category category);
 /// Fill of a contact that is quiet because it sticks: the second, darker shade of `none`.
 drawing::Fill stuck_fill();
 
+/// Fill of a contact that locks: darker than the shades of `none` and crossed, for it is no quiet design.
+drawing::Fill locked_fill();
+
 /// Fill of a cell that has no result: white and crossed, never the colour of a category.
 drawing::Fill failed_fill();
 

@@ -16,13 +16,15 @@ using classification::Quiet;
 constexpr std::array all_categories{Category::none, Category::squeak, Category::squeal, Category::creak,
                                     Category::undecided};
 constexpr std::size_t stuck_kind = all_categories.size();  // quiet because it sticks
-constexpr std::size_t failed_kind = stuck_kind + 1;
+constexpr std::size_t locked_kind = stuck_kind + 1;        // silent, too, and no quiet design
+constexpr std::size_t failed_kind = locked_kind + 1;
 
 }  // namespace
 
 std::size_t kind_of(const sweep::CellVerdict& cell) {
     if (cell.status != sweep::Status::done) return failed_kind;
     if (cell.quiet == Quiet::sticks) return stuck_kind;
+    if (cell.quiet == Quiet::locks) return locked_kind;
     const auto* const found = std::find(all_categories.begin(), all_categories.end(), cell.category);
     return static_cast<std::size_t>(found - all_categories.begin());
 }
@@ -32,6 +34,7 @@ std::vector<drawing::Fill> kind_fills() {
     for (const Category category : all_categories)
         fills.push_back(category_fill(category));
     fills.push_back(stuck_fill());
+    fills.push_back(locked_fill());
     fills.push_back(failed_fill());
     return fills;
 }
@@ -41,6 +44,7 @@ std::vector<drawing::StyledText> kind_names() {
     for (const Category category : all_categories)
         names.emplace_back(classification::name(category));
     names.emplace_back("none (sticks)");
+    names.emplace_back("locks");
     names.emplace_back("failed");
     return names;
 }

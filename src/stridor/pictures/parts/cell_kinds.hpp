@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// How a cell's verdict is drawn: a kind for each category, for a contact that is quiet because it sticks, and for
-/// cells without a result.
+/// How a cell's verdict is drawn: a kind for each category, for a contact that is quiet because it sticks, for one
+/// that locks, and for cells without a result.
 namespace stridor::pictures {
 
 /// The kind of a cell, into `kind_fills` and `kind_names`.

@@ -1,6 +1,5 @@
 #include "stridor/pictures/parts/contact_line.hpp"
 
-#include "stridor/drawing/lettering.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <algorithm>
@@ -13,13 +12,6 @@ namespace stridor::pictures {
 namespace {
 
 constexpr double bar = 0.4;  // [1] half of a bar's width, of the way to the nearest neighbour
-
-double widest_name(const parameters::Case& c) {
-    double most = 0.0;  // [mm]
-    for (std::size_t k = 0; k < parameters::contact_count(c); ++k)
-        most = std::max(most, drawing::text_width(drawing::StyledText(parameters::contact_name(c, k)), 8.0));
-    return most;
-}
 
 // Way from each place to the nearest other one; zero where two contacts are at one place. Shape [contact].
 std::vector<double> ways_to_neighbours(const ContactLine& line) {
@@ -52,11 +44,7 @@ bool place_contacts(ContactLine& line, const parameters::Case& c) {
 
 }  // namespace
 
-std::size_t named_every(std::size_t contacts, double taken, double space) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(contacts) * taken / space)));
-}
-
-ContactLine contact_line(const parameters::Case& c, double names_width) {
+ContactLine contact_line(const parameters::Case& c) {
     const std::size_t contacts = parameters::contact_count(c);
     ContactLine line;
     line.order.resize(contacts);
@@ -68,8 +56,7 @@ ContactLine contact_line(const parameters::Case& c, double names_width) {
     } else {
         number_contacts(line);
         line.axis.label = "contact";
-        const std::size_t every = named_every(contacts, widest_name(c) + 2.0, names_width);
-        for (std::size_t k = 0; k < contacts; k += every)
+        for (std::size_t k = 0; k < contacts; ++k)
             line.axis.ticks.push_back({line.places[k], parameters::contact_name(c, k), drawing::TickSize::major});
     }
     std::vector<double> ways = ways_to_neighbours(line);

@@ -17,11 +17,7 @@ struct ContactLine {
     drawing::PanelAxis axis;            // ticks with the contacts' names where they are numbered
 };
 
-/// Where the contacts of a case are drawn, on an axis whose names may take `names_width` [mm]. A bar takes four fifths
-/// of the way to the nearest neighbour.
-ContactLine contact_line(const parameters::Case& c, double names_width);
-
-/// Of `contacts` names on an axis of `space` [mm], every so many are shown where each takes `taken` [mm].
-std::size_t named_every(std::size_t contacts, double taken, double space);
+/// Where the contacts of a case are drawn. A bar takes four fifths of the way to the nearest neighbour.
+ContactLine contact_line(const parameters::Case& c);
 
 }  // namespace stridor::pictures

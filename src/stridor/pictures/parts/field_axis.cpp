@@ -25,12 +25,8 @@ std::string spelled(std::string_view name) {
 drawing::StyledText value_of(const parameters::Case& c, std::string_view key) {
     const parameters::Field& field = *parameters::field_of(key);
     if (!parameters::has_one_value(c, key)) return drawing::StyledText(parameters::value_text(c, key));
-    if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind)) {
-        const drawing::StyledText unit = drawing::unit_text(quantity->unit);
-        const drawing::StyledText value = drawing::number_text(parameters::get_quantity(c, key));
-        if (drawing::is_empty(unit)) return value;
-        return value + (quantity->unit == "deg" ? drawing::StyledText() : drawing::StyledText(" ")) + unit;
-    }
+    if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind))
+        return with_unit(drawing::number_text(parameters::get_quantity(c, key)), quantity->unit);
     return drawing::StyledText(spelled(parameters::value_text(c, key)));
 }
 
@@ -72,6 +68,12 @@ std::vector<double> cell_edges(const sweep::Axis& axis) {
     edges.push_back(between(before, mirrored(before, sweep::value_at(axis, last - 1))));
     if (edges.front() > edges.back()) std::reverse(edges.begin(), edges.end());
     return edges;
+}
+
+drawing::StyledText with_unit(const drawing::StyledText& value, std::string_view unit) {
+    const drawing::StyledText text = drawing::unit_text(unit);
+    if (drawing::is_empty(text)) return value;
+    return value + (unit == "deg" ? drawing::StyledText() : drawing::StyledText(" ")) + text;
 }
 
 drawing::PanelAxis field_axis(const sweep::Axis& axis) {

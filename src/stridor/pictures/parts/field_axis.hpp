@@ -26,6 +26,9 @@ drawing::StyledText field_label(const parameters::Field& field);
 /// symbol are called by their name.
 drawing::StyledText setting(const parameters::Case& c, std::string_view key);
 
+/// A number beside its unit: "20 N", "70°", "0.6".
+drawing::StyledText with_unit(const drawing::StyledText& number, std::string_view unit);
+
 /// Settings in a row, parted by commas; fields that mean nothing for the case are left out.
 drawing::StyledText settings(const parameters::Case& c, std::span<const std::string_view> keys);
 

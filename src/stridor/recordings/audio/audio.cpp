@@ -1,6 +1,7 @@
 #include "stridor/recordings/audio/audio.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/recordings/audio/mp3_frames.hpp"
 #include "stridor/recordings/audio/riff.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/refusal.hpp"
@@ -190,8 +191,17 @@ std::vector<std::pair<std::string, std::string>> tags(SNDFILE* file) {
     return found;
 }
 
+// can libsndfile make anything of it?
+bool opens(const SignalInput& input) {
+    Cursor cursor{input.bytes, 0};
+    SF_INFO info{};
+    SF_VIRTUAL_IO door{length_of, seek, read_bytes, write_bytes, tell};
+    const std::unique_ptr<SNDFILE, Closer> file(sf_open_virtual(&door, SFM_READ, &info, &cursor));
+    return file && info.frames > 0;
+}
+
 // libsndfile quietly reads what is there; a recording that was cut off must be told from a whole one
-std::vector<std::string> check_riff(const SignalInput& input) {
+RiffData checked_riff(const SignalInput& input) {
     const std::optional<RiffData> data = find_riff_data(*input.bytes);
     if (!data)
         throw refusal(input.name, "the WAV file has no samples", "there is no data chunk in it", "Is it cut off?");
@@ -204,19 +214,34 @@ std::vector<std::string> check_riff(const SignalInput& input) {
                           std::to_string(data->frame_bytes) + " bytes",
                       "they do not fit each other", "Is its header damaged?");
     if (data->available == 0) throw refusal(input.name, "the WAV file holds no samples", "it ends after its header");
-    if (data->claimed <= data->available && data->claimed > 0) return {};
-    if (data->has_unknown_length())
-        return {"the header does not say how long the recording is; all that follows was read as samples"};
+    if (data->claimed <= data->available || data->has_unknown_length()) return *data;
     throw refusal(input.name, "the WAV file is cut off",
                   "its header speaks of " + std::to_string(data->claimed) + " bytes of samples, " +
                       std::to_string(data->available) + " are there",
                   "To take what is there: sox --ignore-length IN.wav OUT.wav");
 }
 
+/// A WAV file as libsndfile takes it, and what to tell of that.
+SignalInput readable_wav(const SignalInput& input, std::vector<std::string>& notes) {
+    const RiffData data = checked_riff(input);
+    const bool is_told = data.claimed > 0 && data.claimed <= data.available;
+    if (!is_told)
+        notes.emplace_back("the header does not say how long the recording is; all that follows was read as samples");
+    const bool is_usual = text_at(*input.bytes, 0, 4) != "BW64" && data.claimed > 0 && !data.has_wide_frames();
+    if (is_usual && opens(input)) return input;
+    const SignalInput plain{plain_wav(input.bytes, data), input.name, input.sidecar};
+    if (!opens(plain)) return input;  // then the library says why
+    if (data.has_wide_frames())
+        notes.emplace_back("samples of 24 bits stand in 4 bytes each");
+    else if (is_told && is_usual)
+        notes.emplace_back("the header is damaged; the samples behind it were read");
+    return plain;
+}
+
 }  // namespace
 
 bool is_audio(std::string_view beginning) {
-    constexpr std::array<std::string_view, 10> marks{"RIFF", "RIFX", "RF64", "riff", "fLaC",
+    constexpr std::array<std::string_view, 11> marks{"RIFF", "RIFX", "RF64", "BW64", "riff", "fLaC",
                                                      "OggS", "FORM", "caff", ".snd", "ID3"};
     const bool is_mp3 =
         beginning.size() > 1 && beginning[0] == '\xFF' && (static_cast<unsigned char>(beginning[1]) & 0xE6U) == 0xE2U;
@@ -227,8 +252,9 @@ bool is_audio(std::string_view beginning) {
 RawSignal open_audio(const SignalInput& input) {
     const std::string mark = text_at(*input.bytes, 0, 4);
     RawSignal raw;
-    if (mark == "RIFF" || mark == "RF64") raw.notes = check_riff(input);
-    auto audio = std::make_unique<Audio>(input);
+    SignalInput plain = is_riff_mark(mark) ? readable_wav(input, raw.notes) : input;
+    if (!is_riff_mark(mark)) plain.bytes = with_frame_count(plain.bytes);
+    auto audio = std::make_unique<Audio>(plain);
     raw.format = format_name(audio->format());
     raw.metadata = tags(audio->handle());
     if (auto info = std::make_unique<Broadcast>();

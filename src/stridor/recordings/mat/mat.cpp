@@ -222,6 +222,8 @@ RawSignal open_mat_answers(std::shared_ptr<mat::Answers> answers, std::uint64_t 
     raw.format = "MAT";
     raw.notes = choice.notes;
     raw.metadata = choice.metadata;
+    raw.left_out = choice.left_out;
+    raw.time = choice.time_name;
     std::optional<time_grid::Times> times;
     if (choice.time) times = times_of(*answers, choice, file);
     if (!choice.rate) {

@@ -45,8 +45,14 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string nam
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// "time" of "s.time": a field of a structure
+std::string field_of(const std::string& name) {
+    return name.substr(name.rfind('.') + 1);
+}
+
 // Simulink calls its times tout
-bool is_time_variable(const std::string& name) {
+bool is_time_variable(const std::string& path) {
+    const std::string name = field_of(path);
     return csv_table::is_time_name(name) || name == "tout" || name == "Time_s" || name == "time_s";
 }
 
@@ -113,12 +119,14 @@ public:
                           variables_.empty()
                               ? "it has no variables that can be read"
                               : "no variable is a vector or a matrix of real numbers: " + listing_of_all(),
-                          left_out_.empty() ? "" : "Save the numbers as variables of their own: force = s.force.");
+                          left_out_.empty() ? "" : "Save the numbers as variables of their own: force = s.Data.");
         find_times();
         choose_length();
         take_first_column_as_time();
         add_channels();
         if (!left_out_.empty()) choice_.notes.push_back("left out: " + listing(variables_, left_out_));
+        for (const std::size_t k : left_out_)
+            choice_.left_out.push_back(description(variables_[k]));
         return std::move(choice_);
     }
 
@@ -147,9 +155,9 @@ private:
         std::vector<const Variable*> steps;
         for (const Variable& variable : variables_) {
             if (!holds_numbers(variable) || !is_single(variable)) continue;
-            if (is_one_of(rate_names, variable.name)) {
+            if (is_one_of(rate_names, field_of(variable.name))) {
                 if (!wishes_.rate) take_rate(variable.value, variable);
-            } else if (is_one_of(step_names, variable.name)) {
+            } else if (is_one_of(step_names, field_of(variable.name))) {
                 steps.push_back(&variable);
             } else {
                 choice_.metadata.emplace_back(variable.name, base::shortest(variable.value));
@@ -174,7 +182,13 @@ private:
             choice_.has_single_times = variable.kind == MatKind::singles;
             choice_.frames = length(variable);
         }
-        if (choice_.time) std::erase(candidates_, choice_.time->variable);
+        if (!choice_.time) return;
+        std::erase(candidates_, choice_.time->variable);
+        // what else is a time is no signal
+        const auto is_other = [&](std::size_t k) {
+            return wished != k && is_vector(variables_[k]) && is_time_variable(variables_[k].name);
+        };
+        keep_only([&](std::size_t k) { return !is_other(k); });
     }
 
     static bool fits_length(const Variable& variable, std::uint64_t frames) {
@@ -198,12 +212,12 @@ private:
 
     void choose_length() {
         if (choice_.time) {
-            const std::vector<std::size_t> before = candidates_;
             keep_only([&](std::size_t k) { return fits_length(variables_[k], choice_.frames); });
             if (candidates_.empty())
                 throw refusal(file_, "no variable is as long as the times",
                               choice_.time_name + " has " + std::to_string(choice_.frames) + " numbers" +
-                                  (before.empty() ? "" : "; there are " + listing(variables_, before)));
+                                  (left_out_.empty() ? "" : "; there are " + listing(variables_, left_out_)),
+                              "Save the numbers as variables of their own: force = s.Data.");
             return;
         }
         const auto is_as_long = [&](std::size_t k) { return length(variables_[k]) == choice_.frames; };

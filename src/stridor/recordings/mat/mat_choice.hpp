@@ -38,6 +38,7 @@ struct MatChoice {
     std::string time_name{};          // "t", "data(1)"
     bool has_single_times = false;    // of seven digits
     std::vector<std::string> notes{};
+    std::vector<std::string> left_out{};                          // "s (a structure)"
     std::vector<std::pair<std::string, std::string>> metadata{};  // other single numbers
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,7 @@ using base::ConfinedProcess;
 /// A variable of the file; `info` lives as long as the process.
 struct Found {
     matvar_t* info = nullptr;
+    std::string name{};  // "s.signals(2).values" of a field
     mat::VariableHead head{};
     bool is_loaded = false;
 };
@@ -49,8 +51,6 @@ mat::VariableHead head_of(const matvar_t& info) {
         head.rows = sizes[0];
         head.columns = sizes[1];
     }
-    head.name_length = static_cast<std::uint32_t>(
-        info.name == nullptr ? 0 : std::min<std::size_t>(std::strlen(info.name), mat::longest_name));
     return head;
 }
 
@@ -113,12 +113,36 @@ bool receive(const ConfinedProcess::Channel& channel, Plain& plain) {
     return channel.receive(std::as_writable_bytes(std::span(&plain, 1)));
 }
 
+constexpr int deepest_field = 4;             // Simulink's are s.signals(k).values
+constexpr std::uint64_t most_elements = 64;  // of an array of structures: more are events, and no signals
+
+// a variable, or the fields of a structure
+void add(const Matio& matio, matvar_t& info, const std::string& name, std::vector<Found>& all, int depth) {
+    const std::size_t before = all.size();
+    const mat::VariableHead head = head_of(info);
+    const bool is_structure = head.kind == mat::MatKind::structure && info.data != nullptr;
+    const std::uint64_t elements = head.rows * head.columns;
+    const bool is_opened = is_structure && depth < deepest_field && elements <= most_elements;
+    const unsigned fields = is_opened ? matio.field_count(&info) : 0;
+    const char* const* names = is_opened ? matio.field_names(&info) : nullptr;
+    for (std::size_t element = 0; element < elements && names != nullptr; ++element)
+        for (unsigned k = 0; k < fields && all.size() <= mat::most_variables; ++k) {
+            matvar_t* field = matio.field(&info, k, element);
+            const std::string index = elements > 1 ? "(" + std::to_string(element + 1) + ")" : "";
+            if (field != nullptr && names[k] != nullptr)
+                add(matio, *field, name + index + "." + names[k], all, depth + 1);
+        }
+    if (all.size() > before) return;
+    all.push_back({&info, name.substr(0, mat::longest_name), head});
+    all.back().head.name_length = static_cast<std::uint32_t>(all.back().name.size());
+}
+
 std::vector<Found> list(const Matio& matio, mat_t* file) {
     std::vector<Found> all;
     while (all.size() <= mat::most_variables) {
         matvar_t* info = matio.read_next_info(file);
         if (info == nullptr) break;
-        all.push_back({info, head_of(*info)});
+        add(matio, *info, info->name == nullptr ? "" : info->name, all, 0);
     }
     return all;
 }
@@ -169,7 +193,7 @@ void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& chann
         if (is_single && !load(matio, file, found)) found.head.kind = mat::MatKind::object;
         if (found.is_loaded) found.head.value = value_at(*found.info, 0);
         send(channel, found.head);
-        channel.send(std::as_bytes(std::span(found.info->name, found.head.name_length)));
+        channel.send(std::as_bytes(std::span(found.name)));
     }
     std::uint64_t count = 0;
     while (receive(channel, count)) {

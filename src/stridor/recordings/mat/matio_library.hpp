@@ -13,6 +13,9 @@ struct Matio {
     base::OpenedLibrary library{STRIDOR_MATIO_LIBRARY};
     decltype(&::Mat_Open) open = library.function("Mat_Open");
     decltype(&::Mat_VarReadNextInfo) read_next_info = library.function("Mat_VarReadNextInfo");
+    decltype(&::Mat_VarGetNumberOfFields) field_count = library.function("Mat_VarGetNumberOfFields");
+    decltype(&::Mat_VarGetStructFieldnames) field_names = library.function("Mat_VarGetStructFieldnames");
+    decltype(&::Mat_VarGetStructFieldByIndex) field = library.function("Mat_VarGetStructFieldByIndex");
     decltype(&::Mat_VarReadDataAll) read_all_data = library.function("Mat_VarReadDataAll");
 };
 

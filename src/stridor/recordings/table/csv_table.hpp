@@ -14,9 +14,10 @@ inline constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
 /// What a table is written in.
 struct Dialect {
-    char delimiter = ',';  // 0: a single column
+    char delimiter = ',';              // 0: a single column; a blank: any number of blanks and tabs
+    bool has_quoted_decimals = false;  // "0,5" in quotes between commas is 0.5, and no thousands
     /// May a comma be the decimal mark?
-    bool allows_comma() const { return delimiter != ','; }
+    bool allows_comma() const { return delimiter != ',' || has_quoted_decimals; }
 };
 
 /// One field of a row.
@@ -28,22 +29,34 @@ struct CsvField {
 /// Tab, semicolon or comma, whichever the line holds in this order, what is quoted left out; comma where it has none.
 Dialect sniff(std::string_view line);
 
-/// The fields of a row without their quotes and surrounding blanks.
+/// The fields of a row without their quotes and surrounding blanks. Where blanks part the fields, a unit in brackets
+/// belongs to what stands before it.
 std::vector<CsvField> split(std::string_view line, char delimiter);
 
 /// Drops empty fields behind the `least` first: a delimiter at the end of every line is a habit of some programs.
 void drop_empty_tail(std::vector<CsvField>& fields, std::size_t least);
 
-/// The text of a number with a decimal point.
+/// How many fields there are up to the last that is not empty.
+std::size_t filled(const std::vector<CsvField>& fields);
+
+/// Do these fields of a table parted by commas tell that a comma in quotes is a decimal mark? "0,5" does, "1,234" may
+/// be thousands.
+bool tells_quoted_decimals(const std::vector<CsvField>& fields);
+
+/// The text of a number with a decimal point, and without what parts thousands.
 std::string numeral(std::string text, Dialect dialect);
 
 /// The number that a field is; infinite beyond double precision, nothing for any other text.
 std::optional<double> number_in(const std::string& field, Dialect dialect);
 
+/// Reads a number, and a time of the day or a date with one as seconds (since 1970): "10:00:00.250",
+/// "2024-03-11T10:00:00.25".
+std::optional<double> value_in(const std::string& field, Dialect dialect);
+
 /// Does any field hold a number?
 bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect);
 
-/// "velocity [mm/s]" or "velocity (mm/s)" taken apart; "gap (front) [m]" is "gap (front)" in m.
+/// "velocity [mm/s]", "velocity (mm/s)" or "velocity / mm/s" taken apart; "gap (front) [m]" is "gap (front)" in m.
 struct Title {
     std::string name;
     std::string unit;  // empty: none
@@ -60,5 +73,8 @@ std::string lower(std::string_view text);
 
 /// Does the text begin with the mark of UTF-16?
 bool is_utf16(std::string_view text);
+
+/// A text in UTF-16, with its mark, as UTF-8; what is no character becomes a question mark.
+std::string utf8_of(std::string_view utf16);
 
 }  // namespace stridor::recordings::csv_table

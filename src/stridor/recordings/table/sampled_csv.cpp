@@ -4,6 +4,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/bytes.hpp"
+#include "stridor/recordings/calibration.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
@@ -72,13 +73,14 @@ std::size_t find_column(const std::vector<CsvField>& fields, const SampleColumn&
 void set_unit(SampleColumn& column, std::string_view unit, const base::Place& where) {
     if (base::trimmed(unit).empty()) return;
     try {
-        const base::Unit found = base::parse_unit(unit);
+        const std::string spelt = unit_as_written(unit);
+        const base::Unit found = base::parse_unit(spelt);
         const base::Unit wanted = base::parse_unit(column.unit);
         if (!(found.dimension == wanted.dimension))
             throw Error(ErrorKind::input, {"the column " + std::string(column.quantity) + " is in " +
                                                std::string(unit) + ", " + base::describe(found.dimension),
                                            "expected " + base::describe(wanted.dimension), ""});
-        column.given_unit = unit;
+        column.given_unit = spelt;
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), where);
     }

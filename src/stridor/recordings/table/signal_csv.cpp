@@ -6,15 +6,15 @@
 #include "stridor/recordings/calibration.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/table/column_roles.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 #include "stridor/recordings/table/signal_csv_header.hpp"
+#include "stridor/recordings/table/table_rows.hpp"
 #include "stridor/recordings/time_grid.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace stridor::recordings {
@@ -24,88 +24,11 @@ namespace {
 using csv_table::CsvField;
 using signal_table::highest_rate;
 using signal_table::is_table_line;
-using signal_table::next_row;
 using signal_table::Role;
-using signal_table::SignalColumn;
 using signal_table::TableHeader;
+using signal_table::TableRows;
 
 constexpr std::size_t looked_at = 1024;  // rows that the rate is first taken from
-
-/// Rows of a table as numbers.
-class Rows {
-public:
-    Rows(const SignalInput& input, TableHeader header)
-        : header_(std::move(header)),
-          lines_(input.bytes, input.name, header_.data_offset, header_.data_number),
-          values_(header_.columns.size()) {
-        has_words_ = std::any_of(header_.columns.begin(), header_.columns.end(),
-                                 [](const SignalColumn& column) { return column.role == Role::words; });
-    }
-
-    /// The numbers of the next row, shape [column], NaN in columns of words; empty at the end.
-    std::span<const double> next() {
-        line_ = next_row(lines_);
-        if (!line_) return {};
-        if (has_words_ || !read_plain()) read_fields();
-        return values_;
-    }
-
-    /// The fields of the row that was read last.
-    std::vector<CsvField> fields() const {
-        std::vector<CsvField> fields = csv_table::split(line_->text, header_.dialect.delimiter);
-        csv_table::drop_empty_tail(fields, header_.columns.size());
-        return fields;
-    }
-
-    base::Place place(std::size_t column) const { return place_of(lines_.name(), *line_, fields()[column].column); }
-
-private:
-    // the usual row, without words, quotes and decimal commas; false for any other
-    bool read_plain() {
-        const char* at = line_->text.data();
-        const char* const end = at + line_->text.size();
-        const auto skip = [&] {
-            while (at != end && *at == ' ')
-                ++at;
-        };
-        for (std::size_t k = 0; k < values_.size(); ++k) {
-            if (k > 0 && (at == end || *at++ != header_.dialect.delimiter)) return false;
-            skip();
-            const auto [behind, code] = std::from_chars(at, end, values_[k]);
-            if (code != std::errc{} || !std::isfinite(values_[k])) return false;
-            at = behind;
-            skip();
-        }
-        return at == end;
-    }
-
-    void read_fields() {
-        const std::vector<CsvField> row = fields();
-        if (row.size() != values_.size())
-            throw refusal(place_of(lines_.name(), *line_, row.back().column),
-                          "the row has " + std::to_string(row.size()) + " columns",
-                          "the first row has " + std::to_string(values_.size()));
-        for (std::size_t k = 0; k < row.size(); ++k)
-            values_[k] = header_.columns[k].role == Role::words ? std::numeric_limits<double>::quiet_NaN()
-                                                                : number(row[k], header_.columns[k]);
-    }
-
-    double number(const CsvField& field, const SignalColumn& column) const {
-        const std::optional<double> number = csv_table::number_in(field.text, header_.dialect);
-        if (number && std::isfinite(*number)) return *number;
-        const std::string what = (column.name.empty() ? "" : column.name + " = ") + "\"" + field.text + "\"";
-        const base::Place place = place_of(lines_.name(), *line_, field.column);
-        if (number) throw refusal(place, what + " is not a finite number");
-        throw refusal(place, what + " is not a number", field.text.empty() ? "the field is empty" : "",
-                      field.text.find(',') == std::string::npos ? "" : "Write the decimal mark as a point.");
-    }
-
-    TableHeader header_;
-    LineReader lines_;
-    std::optional<TextLine> line_;
-    std::vector<double> values_;
-    bool has_words_ = false;
-};
 
 // the numeral of the time in the last row that has one
 std::optional<std::string> last_time(const SignalInput& input, const TableHeader& header, std::size_t column) {
@@ -120,7 +43,7 @@ std::optional<std::string> last_time(const SignalInput& input, const TableHeader
         if (!is_table_line(line)) continue;
         const std::vector<CsvField> fields = csv_table::split(line, header.dialect.delimiter);
         const bool is_whole = fields.size() >= header.columns.size() &&
-                              csv_table::number_in(fields[column].text, header.dialect).has_value();
+                              csv_table::value_in(fields[column].text, header.dialect).has_value();
         if (!is_whole) return std::nullopt;
         return csv_table::numeral(fields[column].text, header.dialect);
     }
@@ -132,22 +55,23 @@ time_grid::Times times_of(const SignalInput& input, const TableHeader& header, s
     const FullScale unit = unit_of_label(label);
     time_grid::Times times;
     times.unit = unit.unit == "s" ? unit.value : 1.0;
-    Rows rows(input, header);
+    TableRows rows(input, header);
     while (times.first.size() < looked_at) {
         const std::span<const double> row = rows.next();
         if (row.empty()) break;
         const double time = row[column];
         if (!times.first.empty() && !(time > times.first.back()))
-            throw refusal(rows.place(column), "the times do not increase",
-                          base::shortest(time) + " follows " + base::shortest(times.first.back()),
-                          "Sort the rows by time, or print the times with more digits.");
+            throw refusal(
+                rows.place(column), "the times do not increase",
+                base::shortest(time) + " follows " + base::shortest(times.first.back()),
+                "Sort the rows by time, or print the times with more digits, or give the rate: --rate 48000.");
         times.first.push_back(time);
         const std::string numeral = csv_table::numeral(rows.fields()[column].text, header.dialect);
         times.precision = time_grid::finer(times.precision, time_grid::precision_of(numeral));
     }
     times.last = times.first.back();
     if (const auto numeral = last_time(input, header, column)) {
-        const double last = csv_table::number_in(*numeral, {'\0'}).value_or(times.last);
+        const double last = csv_table::value_in(*numeral, {'\0'}).value_or(times.last);
         if (std::isfinite(last) && last > times.first.back()) {
             times.last = last;
             times.precision = time_grid::finer(times.precision, time_grid::precision_of(*numeral));
@@ -194,10 +118,11 @@ private:
         throw refusal(rows_.place(time_column_), "the times are not evenly spaced",
                       "at " + base::shortest(layout_.rate) + " Hz this row is due at " + base::shortest(*due) +
                           ", not at " + base::shortest(time),
-                      "Resample the table to an even step.");
+                      "Resample the table to an even step, or give the rate that it was meant to have: --rate " +
+                          base::shortest(layout_.rate) + ".");
     }
 
-    Rows rows_;
+    TableRows rows_;
     std::optional<time_grid::Times> times_;
     signal::ChannelLayout layout_;
     std::vector<std::size_t> columns_;  // of the channels
@@ -210,42 +135,109 @@ SnappedRate rate_from(const time_grid::Times& times, const base::Place& place) {
         throw refusal(place, "one row does not tell the sampling rate", "", "Write \"# rate: 48000\" above the table.");
     const SnappedRate snapped = time_grid::rate_of(times);
     const bool is_rate = std::isfinite(snapped.rate) && snapped.rate > 0.0 && snapped.rate <= highest_rate;
-    if (!is_rate) throw refusal(place, "the times give no sampling rate");
+    if (!is_rate)
+        throw refusal(place, "the times give no sampling rate", base::shortest(snapped.rate) + " Hz is none",
+                      "Write the unit of the times into their heading.");
     return snapped;
 }
 
+// of times without a unit: nobody measured in the year 30,000, so that numbers so large are no seconds since 1970
+double epoch_unit(double first) {
+    constexpr double earliest = 1e9;  // [s] 2001
+    constexpr double latest = 4.2e9;  // [s] 2103
+    for (const double unit : {1e-3, 1e-6, 1e-9})
+        if (first * unit >= earliest && first * unit < latest) return unit;
+    return 1.0;
+}
+
+std::string hertz(double rate) {
+    return base::shortest(rate) + " Hz";
+}
+
+// column 3, "acc" in m/s2
+std::string shown_column(const TableHeader& header, std::size_t k) {
+    const signal_table::SignalColumn& column = header.columns[k];
+    return "column " + std::to_string(k + 1) + (column.name.empty() ? "" : ", \"" + column.name + "\"") +
+           (column.unit.empty() ? "" : " in " + column.unit);
+}
+
+/// The rates that are told in different places, held against each other.
+struct RateFinder {
+    std::optional<double> given;  // [Hz] by an option
+    const TableHeader& header;
+    base::Place place;  // of the first row
+    std::vector<std::string>& notes;
+
+    /// The rate; a rate by an option outranks the times, which are left out then.
+    std::optional<double> find(std::optional<time_grid::Times>& times) const {
+        const std::optional<double> said = header.rate ? header.rate : header.spoken_rate;
+        if (!times || (times->first.size() < 2 && (given || said))) return given ? given : said;
+        const SnappedRate snapped = rate_from(*times, place);
+        const auto agrees = [&](double rate) { return std::abs(rate / snapped.rate - 1.0) <= 0.01; };
+        if (given) {
+            notes.push_back("the times " + (agrees(*given) ? "" : "tell " + hertz(snapped.rate) + " and ") +
+                            "were left out, as --rate tells " + hertz(*given));
+            times.reset();
+            return given;
+        }
+        if (said && !agrees(*said))
+            throw refusal(place, "the table contradicts itself",
+                          "above it the rate is " + hertz(*said) + ", its times tell " + hertz(snapped.rate),
+                          "Say which one is right: --rate " + base::shortest(*said) + ", or --rate " +
+                              base::shortest(snapped.rate) + ".");
+        if (header.rate) return header.rate;
+        if (!snapped.note.empty()) notes.push_back(snapped.note);
+        return snapped.rate;
+    }
+};
+
 }  // namespace
 
-RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate) {
+RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate, const std::string& wanted) {
     TableHeader header = signal_table::read_header(input);
     RawSignal raw;
     raw.format = "CSV";
     raw.metadata = header.metadata;
-    raw.notes = signal_table::find_words(header, input);
-    if (!rate) rate = header.rate;
-    const std::optional<std::size_t> time = signal_table::find_time(header, rate || header.spoken_rate);
+    const signal_table::TableSurvey survey = signal_table::surveyed(input, header);
+    header.end_number = survey.end;
+    const bool is_rate_known = rate || header.rate || header.spoken_rate;
+    raw.notes = signal_table::assign_roles(header, survey, {is_rate_known, wanted, input.name});
+    if (survey.end > 0)
+        raw.notes.push_back("the text behind the table, from line " + std::to_string(survey.end) + " (\"" +
+                            survey.text_behind + "\") on, was left out");
     const base::Place place{input.name, header.data_number, 0, ""};
     std::optional<time_grid::Times> times;
-    if (time) {
-        header.columns[*time].role = Role::time;
+    const std::optional<std::size_t> time = signal_table::time_column(header);
+    for (std::size_t k = 0; k < header.columns.size(); ++k)
+        if (!header.columns[k].why.empty())
+            raw.left_out.push_back(shown_column(header, k) + ": " + header.columns[k].why);
+    if (time && rate && !survey.columns[*time].is_rising) {
+        raw.notes.push_back("the times do not increase and were left out, as --rate tells " + hertz(*rate));
+    } else if (time) {
         times = times_of(input, header, *time);
+        if (header.columns[*time].unit.empty()) times->unit = epoch_unit(times->first.front());
+        if (times->unit != 1.0 && header.columns[*time].unit.empty())
+            raw.notes.push_back("the times were taken for " +
+                                std::string(times->unit == 1e-3   ? "milliseconds"
+                                            : times->unit == 1e-6 ? "microseconds"
+                                                                  : "nanoseconds") +
+                                " since 1970");
     }
     if (const std::size_t lines = header.prose_lines; lines > 0)
         raw.notes.push_back(std::to_string(lines) + (lines == 1 ? " line" : " lines") +
                             " of text above the table taken for metadata");
-    if (!times && !rate) rate = header.spoken_rate;
-    if (times && !rate) {
-        const SnappedRate snapped = rate_from(*times, place);
-        rate = snapped.rate;
-        if (!snapped.note.empty()) raw.notes.push_back(snapped.note);
-    }
-    if (!rate)
-        throw refusal(place, "the table does not tell its sampling rate", "it has no column of times",
-                      "Write \"# rate: 48000\" above it, or name one column \"time\".");
-    const bool has_channel = std::any_of(header.columns.begin(), header.columns.end(),
-                                         [](const SignalColumn& column) { return column.role == Role::channel; });
-    if (!has_channel) throw refusal(place, "the table has no column of samples");
-    raw.source = std::make_unique<SignalCsv>(input, header, *rate, std::move(times));
+    const std::optional<double> found = RateFinder{rate, header, place, raw.notes}.find(times);
+    if (times) raw.time = shown_column(header, *time);
+    const std::string& first = header.columns.front().name;
+    if (!found && csv_table::lower(first).starts_with("freq"))
+        throw refusal(place, "the table is a spectrum", "it is over \"" + first + "\", and has no sound",
+                      "Export the time history.");
+    if (!found)
+        throw refusal(
+            place, "the table does not tell its sampling rate",
+            "it has no column of times" + (survey.end == 0 ? "" : "; behind it stands \"" + survey.text_behind + "\""),
+            "Write \"# rate: 48000\" above it, name one column \"time\", or say --rate.");
+    raw.source = std::make_unique<SignalCsv>(input, header, *found, std::move(times));
     return raw;
 }
 

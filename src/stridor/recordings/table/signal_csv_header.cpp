@@ -4,6 +4,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/calibration.hpp"
+#include "stridor/recordings/rate.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/table_start.hpp"
 
@@ -26,6 +27,14 @@ constexpr std::size_t most_bytes = 1U << 20U;  // of these
 bool is_rate_key(const std::string& key) {
     constexpr std::array<std::string_view, 7> known{"rate",        "sample rate",        "sampling rate", "sample_rate",
                                                     "sample freq", "sampling frequency", "abtastrate"};
+    return std::find(known.begin(), known.end(), csv_table::lower(key)) != known.end();
+}
+
+// the time from one row to the next, as LabVIEW and oscilloscopes call it
+bool is_step_key(const std::string& key) {
+    constexpr std::array<std::string_view, 11> known{
+        "delta_x",    "sample interval", "sampling interval", "sample period",   "increment",     "x increment",
+        "xincrement", "xincr",           "time step",         "abtastintervall", "time increment"};
     return std::find(known.begin(), known.end(), csv_table::lower(key)) != known.end();
 }
 
@@ -70,15 +79,59 @@ void read_comment(TableHeader& header, const TextLine& line, const std::string& 
     }
 }
 
+// "0,000250" and "4e-6" behind the key, "s" or nothing behind it
+std::optional<double> step_in(const std::vector<CsvField>& fields, const std::string& unit) {
+    for (std::size_t k = 1; k < fields.size(); ++k) {
+        std::string label = unit;
+        std::string numeral = fields[k].text;
+        if (const std::size_t blank = numeral.find(' '); blank != std::string::npos) {
+            label = numeral.substr(blank + 1);
+            numeral.resize(blank);
+        }
+        const std::optional<double> number = csv_table::number_in(numeral, {';'});
+        if (!number) continue;
+        const bool has_unit = label.empty() && k + 1 < fields.size() && unit_of_label(fields[k + 1].text).unit == "s";
+        if (has_unit) label = fields[k + 1].text;
+        const FullScale scale = unit_of_label(label);
+        const double step = *number * (label.empty() ? 1.0 : scale.value);
+        const bool is_step = (label.empty() || scale.unit == "s") && step >= 1.0 / highest_rate && step <= 1e9;
+        return is_step ? std::optional(step) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+void read_spoken_step(TableHeader& header, const std::vector<CsvField>& fields, const std::string& unit) {
+    if (const std::optional<double> step = step_in(fields, unit))
+        header.spoken_rate = snapped_rate(*step, step_tolerance(fields[1].text)).rate;
+}
+
+// "48,000 Hz" is 48 kHz in English and 48 Hz in German
+bool may_be_thousands(std::string_view numeral) {
+    const std::size_t comma = numeral.find(',');
+    const std::size_t end = std::min(numeral.find_first_not_of("0123456789,."), numeral.size());
+    return comma != std::string_view::npos && comma < 4 && numeral.front() != '0' && end - comma == 4 &&
+           numeral.find('.') >= end;
+}
+
 // "Sampling rate [Hz];51200" and "operator: Smith" above the table; nothing in prose is an error
 void read_prose(TableHeader& header, const std::string& text) {
     ++header.prose_lines;
-    const std::size_t mark = text.find_first_of(":=;\t,");
+    const std::size_t first = text.find_first_not_of(";%/! \t");  // marks of comments
+    const std::size_t mark = text.find_first_of(":=;\t,", std::min(first, text.size()));
     if (mark == std::string::npos || header.metadata.size() >= most_metadata) return;
-    const csv_table::Title title = csv_table::title_of(base::trimmed(std::string_view(text).substr(0, mark)));
-    const std::string value(base::trimmed(csv_table::split(text.substr(mark + 1), text[mark])[0].text));
+    const csv_table::Title title =
+        csv_table::title_of(base::trimmed(std::string_view(text).substr(first, mark - first)));
+    std::vector<CsvField> fields = csv_table::split(text.substr(mark), text[mark]);
+    const std::string& value = fields.size() > 1 ? fields[1].text : fields[0].text;
+    if (title.name == "Y_Unit_Label") {
+        for (const CsvField& field : csv_table::split(text, text[mark]))
+            header.spoken_units.push_back(field.text);
+        header.spoken_units.front().clear();
+        return;
+    }
     if (title.name.empty() || value.empty()) return;
-    if (!is_rate_key(title.name)) {
+    if (is_step_key(title.name)) read_spoken_step(header, fields, title.unit);
+    if (!is_rate_key(title.name) || may_be_thousands(value)) {
         header.metadata.emplace_back(title.name, title.unit.empty() ? value : value + " " + title.unit);
         return;
     }
@@ -92,6 +145,21 @@ void read_prose(TableHeader& header, const std::string& text) {
     }
 }
 
+// "# time [s],force [N]", as numpy.savetxt writes it, and "% Time (s)   Force (N)"; no facts: "# rate: 48000"
+std::optional<std::string> names_in_comment(std::string_view line) {
+    const std::string_view text = base::trimmed(line.substr(std::min(line.find_first_not_of("#%/! \t"), line.size())));
+    if (text.size() == base::trimmed(line).size() || text.find_first_of(":=") != std::string_view::npos)
+        return std::nullopt;
+    const bool has_delimiter = text.find_first_of("\t;,") != std::string_view::npos;
+    const std::vector<CsvField> fields = csv_table::split(text, has_delimiter ? csv_table::sniff(text).delimiter : ' ');
+    const auto is_title = [](const CsvField& field) {
+        const csv_table::Title title = csv_table::title_of(field.text);
+        return csv_table::is_time_name(title.name) || (!title.unit.empty() && is_known_unit(title.unit));
+    };
+    const bool are_names = fields.size() > 1 && std::any_of(fields.begin(), fields.end(), is_title);
+    return are_names ? std::optional(std::string(text)) : std::nullopt;
+}
+
 /// The first lines of a file: those of the table, and what stands between them.
 struct Beginning {
     std::vector<std::string> texts;  // of the table, and of prose above it
@@ -101,13 +169,22 @@ struct Beginning {
 
 Beginning beginning_of(LineReader& lines) {
     Beginning beginning;
+    const auto take = [&](std::string text, const TextLine& line) {
+        beginning.texts.push_back(std::move(text));
+        beginning.lines.push_back({{}, line.number, line.offset});
+    };
+    std::optional<std::pair<std::string, TextLine>> names;  // of a comment, if rows of numbers follow
     for (std::size_t bytes = 0; bytes < most_bytes && beginning.texts.size() < looked_at;) {
         const auto line = lines.next();
         if (!line) break;
         bytes += line->text.size();
-        if (is_table_line(line->text)) {
-            beginning.texts.emplace_back(line->text);
-            beginning.lines.push_back({{}, line->number, line->offset});
+        if (auto found = names_in_comment(line->text)) {
+            names = {*std::move(found), TextLine{{}, line->number, line->offset}};
+        } else if (is_table_line(line->text)) {
+            const bool is_row = base::trimmed(line->text).find_first_of("+-.0123456789") == 0;
+            if (is_row && names) take(names->first, names->second);
+            names.reset();
+            take(std::string(line->text), *line);
         } else if (base::trimmed(line->text).starts_with('#')) {
             beginning.comments.emplace_back(line->text, TextLine{{}, line->number, line->offset});
         }
@@ -119,7 +196,7 @@ Beginning beginning_of(LineReader& lines) {
 csv_table::TableStart plain_start(const Beginning& beginning, const base::Place& place) {
     const std::vector<std::string>& texts = beginning.texts;
     const bool has_delimiter = texts[0].find_first_of("\t;,") != std::string::npos;
-    csv_table::TableStart start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0};
+    csv_table::TableStart start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0, 0};
     const auto has_numbers = [&](std::size_t k) {
         return csv_table::is_number_row(csv_table::split(texts[k], start.dialect.delimiter), start.dialect);
     };
@@ -134,6 +211,29 @@ csv_table::TableStart plain_start(const Beginning& beginning, const base::Place&
     return start;
 }
 
+// "time_ms" is a time in ms, and one in S is no conductance
+void part_unit_from_name(SignalColumn& column) {
+    if (column.unit == "S" && csv_table::is_time_name(column.name)) column.unit = "s";
+    const std::size_t mark = column.name.find_last_of("_ ");
+    const bool may_have_one = column.unit.empty() && mark != std::string::npos &&
+                              !csv_table::is_time_name(column.name) &&
+                              csv_table::is_time_name(std::string_view(column.name).substr(0, mark));
+    if (!may_have_one) return;
+    column.unit = column.name.substr(mark + 1);
+    column.name.resize(mark);
+}
+
+// "Start" and "Increment" of an oscilloscope stand beside the names, their values beside the units
+void read_facts_beside(TableHeader& header, const std::vector<CsvField>& names, const std::vector<CsvField>& units) {
+    for (std::size_t k = 0; k < std::min(names.size(), units.size()); ++k) {
+        const bool is_fact = units[k].text != "1" && csv_table::number_in(units[k].text, header.dialect).has_value();
+        if (!is_fact) continue;
+        header.columns[k].unit.clear();
+        header.metadata.emplace_back(names[k].text, units[k].text);
+        if (is_step_key(names[k].text)) read_spoken_step(header, {names[k], units[k]}, "");
+    }
+}
+
 void read_columns(TableHeader& header, const csv_table::TableStart& start, const Beginning& beginning,
                   const base::Place& place) {
     const auto fields_in = [&](std::size_t line) {
@@ -142,26 +242,30 @@ void read_columns(TableHeader& header, const csv_table::TableStart& start, const
         return fields;
     };
     std::vector<CsvField> fields = fields_in(start.first());
-    csv_table::drop_comment(fields, fields_in(start.rows).size());
+    if (start.width > 0)
+        fields.resize(start.width);
+    else
+        csv_table::drop_comment(fields, fields_in(start.rows).size());
     if (fields.size() > most_columns)
         throw refusal(place, "the table has " + std::to_string(fields.size()) + " columns",
                       "at most " + std::to_string(most_columns) + " are read");
     header.columns.resize(fields.size());
     header.has_names = start.names.has_value();
     if (!header.has_names) return;
+    header.names_number = place.line;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const csv_table::Title title = csv_table::title_of(fields[k].text);
-        header.columns[k] = {title.name, std::string(base::trimmed(title.unit)), Role::channel};
+        header.columns[k] = {title.name, std::string(base::trimmed(title.unit)), Role::channel, {}};
+        part_unit_from_name(header.columns[k]);
     }
+    for (std::size_t k = 0; k < std::min(header.spoken_units.size(), fields.size()); ++k)
+        if (header.columns[k].unit.empty()) header.columns[k].unit = header.spoken_units[k];
     if (!start.units) return;
     const std::vector<CsvField> units = fields_in(*start.units);
     for (std::size_t k = 0; k < std::min(units.size(), header.columns.size()); ++k)
         if (const auto unit = base::trimmed(csv_table::bare_unit(units[k].text)); !unit.empty())
             header.columns[k].unit = unit;
-}
-
-bool is_time(const SignalColumn& column) {
-    return csv_table::is_time_name(column.name) || (!column.unit.empty() && unit_of_label(column.unit).unit == "s");
+    read_facts_beside(header, fields, units);
 }
 
 }  // namespace
@@ -178,10 +282,7 @@ std::optional<TextLine> next_row(LineReader& lines) {
 }
 
 TableHeader read_header(const SignalInput& input) {
-    const std::string first_bytes = text_at(*input.bytes, 0, 4);
-    if (csv_table::is_utf16(first_bytes))
-        throw refusal({input.name, 1, 1, ""}, "the file is in UTF-16", "", "Save it as UTF-8.");
-    const bool has_mark = first_bytes.starts_with(csv_table::utf8_mark);
+    const bool has_mark = text_at(*input.bytes, 0, 4).starts_with(csv_table::utf8_mark);
     LineReader lines(input.bytes, input.name, has_mark ? csv_table::utf8_mark.size() : 0);
     const Beginning beginning = beginning_of(lines);
     TableHeader header;
@@ -197,33 +298,18 @@ TableHeader read_header(const SignalInput& input) {
     const csv_table::TableStart start = found ? *found : plain_start(beginning, place_in(0));
     for (std::size_t k = 0; k < start.first(); ++k)
         read_prose(header, beginning.texts[k]);
+    const std::size_t prose_lines = header.prose_lines;
+    // facts may stand left of the first rows
+    for (std::size_t k = start.rows; !start.names && k < std::min(beginning.texts.size(), start.rows + 30); ++k)
+        if (const auto fields = csv_table::split(beginning.texts[k], start.dialect.delimiter);
+            fields.size() > 2 && !fields[0].text.empty() && !csv_table::value_in(fields[0].text, start.dialect))
+            read_prose(header, beginning.texts[k]);
+    header.prose_lines = prose_lines;
     header.dialect = start.dialect;
     header.data_offset = beginning.lines[start.rows].offset;
     header.data_number = beginning.lines[start.rows].number;
     read_columns(header, start, beginning, place_in(start.first()));
     return header;
-}
-
-std::vector<std::string> find_words(TableHeader& header, const SignalInput& input) {
-    LineReader lines(input.bytes, input.name, header.data_offset, header.data_number);
-    const std::optional<TextLine> row = next_row(lines);
-    if (!row) return {};
-    const std::vector<CsvField> fields = csv_table::split(row->text, header.dialect.delimiter);
-    std::vector<std::string> notes;
-    for (std::size_t k = 0; k < std::min(fields.size(), header.columns.size()); ++k) {
-        const bool is_words = !fields[k].text.empty() && !csv_table::number_in(fields[k].text, header.dialect);
-        if (!is_words) continue;
-        header.columns[k].role = Role::words;
-        notes.push_back("the column \"" + header.columns[k].name + "\" holds words and was left out");
-    }
-    return notes;
-}
-
-std::optional<std::size_t> find_time(const TableHeader& header, bool is_rate_known) {
-    for (std::size_t k = 0; k < header.columns.size(); ++k)
-        if (header.columns[k].role == Role::channel && is_time(header.columns[k])) return k;
-    const bool is_first = !header.has_names && !is_rate_known && header.columns.size() > 1;
-    return is_first ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 }  // namespace stridor::recordings::signal_table

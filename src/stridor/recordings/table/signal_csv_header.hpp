@@ -17,16 +17,17 @@
 
 namespace stridor::recordings::signal_table {
 
-inline constexpr double highest_rate = 1e9;  // [Hz]
+inline constexpr double highest_rate = 1e12;  // [Hz] of the fastest oscilloscopes
 
 /// What a column holds.
-enum class Role { channel, time, words };
+enum class Role { channel, time, other_time, counter, words, empty, damaged };
 
 /// One column of the table.
 struct SignalColumn {
     std::string name;
     std::string unit;  // as the file has it
     Role role = Role::channel;
+    std::string why{};  // it is no channel
 };
 
 /// What stands above the numbers.
@@ -34,12 +35,15 @@ struct TableHeader {
     csv_table::Dialect dialect;
     std::vector<SignalColumn> columns;
     std::vector<std::pair<std::string, std::string>> metadata;
-    std::optional<double> rate;         // [Hz] from a `# rate:` line
-    std::optional<double> spoken_rate;  // [Hz] from the prose above the table; its times know better
-    std::size_t prose_lines = 0;        // [1] of text above the table
+    std::optional<double> rate;             // [Hz] from a `# rate:` line
+    std::optional<double> spoken_rate;      // [Hz] from the prose above the table
+    std::vector<std::string> spoken_units;  // of the columns, from the prose above the table
+    std::size_t prose_lines = 0;            // [1] of text above the table
     bool has_names = false;
     std::uint64_t data_offset = 0;  // [bytes] of the first row of numbers
     int data_number = 1;            // [1] its line
+    int names_number = 0;           // [1] the line of the names; 0: none
+    int end_number = 0;             // [1] the line of the first text behind the table; 0: none
 };
 
 /// Is a line neither blank nor a comment?
@@ -51,11 +55,5 @@ std::optional<TextLine> next_row(LineReader& lines);
 /// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals,
 /// as the tables that Stridor writes of a chart.
 TableHeader read_header(const SignalInput& input);
-
-/// Leaves out columns in which the first row has no number; returns what to tell the user.
-std::vector<std::string> find_words(TableHeader& header, const SignalInput& input);
-
-/// The column of times: one that is called so, or the first of a table without names whose rate is not known.
-std::optional<std::size_t> find_time(const TableHeader& header, bool is_rate_known);
 
 }  // namespace stridor::recordings::signal_table

@@ -236,7 +236,8 @@ RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> datase
     if (contents.histories.empty())
         throw refusal(
             {input.name, 0, 0, ""}, "the file holds no time history",
-            "it has no dataset 58 of function type 1; " + std::to_string(contents.left_out) + " others were found");
+            "it has no dataset 58 of function type 1; " + std::to_string(contents.left_out) + " others were found",
+            "Export the time histories; spectra and transfer functions have no sound.");
     const std::vector<Dataset> datasets = chosen(std::move(contents.histories), dataset, input.name);
     const std::vector<std::string> names = names_of(datasets);
     const Dataset& first = datasets.front();
@@ -244,7 +245,9 @@ RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> datase
     raw.format = first.form == Form::ascii ? "UFF 58" : "UFF 58b";
     if (!first.rate_note.empty()) raw.notes.push_back(first.rate_note);
     if (contents.left_out > 0)
-        raw.notes.push_back(std::to_string(contents.left_out) + " datasets that are no time histories were left out");
+        raw.left_out.push_back(std::to_string(contents.left_out) + " datasets that are no time histories");
+    for (const std::string& each : raw.left_out)
+        raw.notes.push_back(each + " were left out");
     for (std::size_t line = 0; line < first.id.size(); ++line)
         if (!first.id[line].empty()) raw.metadata.emplace_back("id" + std::to_string(line + 1), first.id[line]);
     signal::ChannelLayout layout{first.rate, {}, first.count};

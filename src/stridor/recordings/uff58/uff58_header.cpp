@@ -1,6 +1,7 @@
 #include "stridor/recordings/uff58/uff58_header.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/recordings/calibration.hpp"
 #include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/rate.hpp"
@@ -122,11 +123,23 @@ std::optional<double> written_rate(const std::array<std::string, 5>& id) {
     return std::nullopt;
 }
 
-SnappedRate rate_of(std::string_view step_numeral, const std::array<std::string, 5>& id, const base::Place& place) {
-    const std::optional<double> step = fortran_number(step_numeral);
+// what one of the abscissa is in seconds; nothing said means seconds
+double unit_of_time(const std::string& label, const base::Place& place) {
+    if (label.empty()) return 1.0;
+    const FullScale unit = unit_of_label(label);
+    if (unit.unit == "s") return unit.value;
+    throw refusal(place, "the time is in \"" + label + "\"", "that is no unit of time that is known",
+                  "Write s, ms or us into the label of the abscissa (record 8).");
+}
+
+SnappedRate rate_of(std::string_view step_numeral, double unit, const std::array<std::string, 5>& id,
+                    const base::Place& place) {
+    std::optional<double> step = fortran_number(step_numeral);
+    if (step) *step *= unit;
     const bool is_step = step && *step >= 1.0 / highest_rate && std::isfinite(*step) && *step <= 1e9;
     if (!is_step)
-        throw refusal(place, "the time step \"" + std::string(step_numeral) + "\" is no step", "it must be positive");
+        throw refusal(place, "the time step \"" + std::string(step_numeral) + "\" is no step", "it must be positive",
+                      "Write the step into columns 44 to 56 of this line (record 7).");
     const std::optional<double> written = written_rate(id);
     // an ID line that is meant for other data does not agree with the step
     if (written && std::abs(*written * *step - 1.0) <= 6e-6) return {*written};
@@ -150,12 +163,13 @@ Dataset read_header(const Cards& cards, Form form, const LineReader& lines) {
         throw refusal(place, "the time history has an uneven step", "only even ones are read", "Resample it first.");
     if (*ordinate != real_single && *ordinate != real_double)
         throw refusal(place, "the time history holds data of type " + std::string(data[0]),
-                      "real numbers (2 or 4) are read");
+                      "real numbers (2 or 4) are read", "Export the time history; a spectrum has no sound.");
     if (*count <= 0) throw refusal(place, "the time history holds no values");
     dataset.ordinate = static_cast<int>(*ordinate);
     dataset.count = static_cast<std::uint64_t>(*count);
-    dataset.start = fortran_number(data[3]).value_or(0.0);
-    const SnappedRate rate = rate_of(data[4], dataset.id, place);
+    const double unit = unit_of_time(labels_of(cards[7]).second, {lines.name(), lines.number() - 4, 0, cards[7]});
+    dataset.start = fortran_number(data[3]).value_or(0.0) * unit;
+    const SnappedRate rate = rate_of(data[4], unit, dataset.id, place);
     dataset.rate = rate.rate;
     dataset.rate_note = rate.note;
     std::tie(dataset.label, dataset.unit) = labels_of(cards[8]);
@@ -293,6 +307,7 @@ private:
 }  // namespace
 
 bool is_mark(std::string_view line) {
+    if (line.starts_with(csv_table::utf8_mark)) line.remove_prefix(csv_table::utf8_mark.size());
     // a value of -1 stands further right
     return base::trimmed(line) == "-1" && line.find("-1") <= 4;
 }

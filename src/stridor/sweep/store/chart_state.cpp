@@ -121,6 +121,7 @@ ChartState chart_state(const Study& study, const fs::path& folder) {
     }
     if (state.chart.standing == StoreStanding::filled) state.done = std::max(state.done, state.chart.cells);
     state.total = std::max(state.total, state.done);
+    if (!state.is_merged) state.chart.missing = state.total - std::min(state.total, state.chart.cells);
     return state;
 }
 

@@ -44,7 +44,9 @@ std::vector<CellIndex> nearest(const Study& study, const std::vector<bool>& ther
 
 void count(Counts& counts, const CellVerdict& cell) {
     ++counts.statuses[static_cast<std::size_t>(cell.status)];
-    if (cell.status == Status::done) ++counts.categories[static_cast<std::size_t>(cell.category)];
+    if (cell.status != Status::done) return;
+    ++(cell.quiet == classification::Quiet::locks ? counts.locks
+                                                  : counts.categories[static_cast<std::size_t>(cell.category)]);
 }
 
 std::vector<bool> MemoryKeeper::stored() {
@@ -109,8 +111,9 @@ SweepResult provisional(const Study& study, std::shared_ptr<CellKeeper> keeper) 
     keeper->visit(0, cells.size(),
                   [&](const IndexedCell& indexed) { cells[indexed.index] = verdict_of(indexed.cell); });
     std::vector<CellIndex> sources = nearest(study, keeper->stored());
-    STRIDOR_EXPECT(
-        std::all_of(sources.begin(), sources.end(), [&](CellIndex source) { return source < cells.size(); }));
+    // a direction of which nothing is known yet has no result at all
+    for (std::size_t index = 0; index < sources.size(); ++index)
+        if (sources[index] >= cells.size()) sources[index] = static_cast<CellIndex>(index);
     cells = inferred(std::move(cells), sources);
     return {study, std::move(cells), std::move(sources), std::move(keeper)};
 }

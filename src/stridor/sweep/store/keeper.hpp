@@ -15,8 +15,10 @@ namespace stridor::sweep {
 
 /// How many cells there are of each kind.
 struct Counts {
-    std::array<std::size_t, status_names.size()> statuses{};                      // [1] by Status
-    std::array<std::size_t, classification::category_names.size()> categories{};  // [1] by Category, done cells only
+    std::array<std::size_t, status_names.size()> statuses{};  // [1] by Status
+    // [1] by Category, done cells only; those that lock are none of them
+    std::array<std::size_t, classification::category_names.size()> categories{};
+    std::size_t locks = 0;  // [1] silent because they lock
 };
 
 /// Adds a finished cell.
@@ -61,7 +63,7 @@ private:
 SweepResult load(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
 /// A sweep that is not finished: each cell that is not there takes after the nearest one that is (in grid steps; of
-/// equally near ones the first). At least one cell of each direction must be there.
+/// equally near ones the first). Of a direction of which none is there yet no cell has a result.
 SweepResult provisional(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
 }  // namespace stridor::sweep

@@ -1,6 +1,7 @@
 #include "stridor/sweep/store/merge.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/hand_over.hpp"
 #include "stridor/storage/owner_file.hpp"
 #include "stridor/storage/system_io.hpp"
 #include "stridor/sweep/refinement.hpp"
@@ -15,9 +16,11 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace stridor::sweep {
 
@@ -31,30 +34,45 @@ namespace {
 constexpr std::size_t rows_per_look = 4096;  // [1] between looks at the clock
 constexpr auto report_tick = std::chrono::milliseconds(100);
 
-// a store and the row that comes next
+// a store and the row that comes next; between two rows it may be closed
 class MergeSource {
 public:
-    MergeSource(const fs::path& file, const Study& study) : store_(file, study, StoreUse::read), rows_(store_.rows()) {}
+    MergeSource(fs::path file, const Study& study) : file_(std::move(file)), study_(study) {}
+
+    bool is_open() const { return rows_.has_value(); }
+
+    void open() {
+        store_.emplace(file_, study_, StoreUse::read);
+        rows_.emplace(has_begun_ ? store_->rows(static_cast<std::int64_t>(index_)) : store_->rows());
+        if (has_begun_ && !(rows_->step() && static_cast<std::size_t>(rows_->integer(0)) == index_))
+            throw Error(ErrorKind::io, {"the store " + file_.string() + " changed while it was merged",
+                                        fmt::format("its cell {} is gone", index_), "Run the same command again."});
+    }
+
+    void close() {
+        rows_.reset();
+        store_.reset();
+    }
 
     bool next() {
         const std::size_t last = std::exchange(index_, 0);
-        if (!rows_.step()) return false;
-        const std::int64_t index = rows_.integer(0);
+        if (!rows_->step()) return false;
+        const std::int64_t index = rows_->integer(0);
         // a negative one is beyond any study, too
         index_ = static_cast<std::size_t>(index);
-        if (has_begun_ && index_ <= last) throw no_cell_of_the_study(store_.file(), index);
+        if (has_begun_ && index_ <= last) throw no_cell_of_the_study(file_, index);
         has_begun_ = true;
         return true;
     }
 
     std::size_t index() const { return index_; }
-    const Statement& row() const { return rows_; }
-    const fs::path& file() const { return store_.file(); }
+    const Statement& row() const { return *rows_; }
+    const fs::path& file() const { return file_; }
 
     void expect_same(const MergeSource& other) const {
         const std::size_t columns = cell_columns_count();
         for (std::size_t column = 1; column < columns; ++column)
-            if (!rows_.has_same(other.rows_, static_cast<int>(column)))
+            if (!row().has_same(other.row(), static_cast<int>(column)))
                 throw Error(ErrorKind::io, {fmt::format("cell {} is not the same in {} and {}", index_, file().string(),
                                                         other.file().string()),
                                             "one study has one result for each cell, whoever computes it",
@@ -62,18 +80,48 @@ public:
     }
 
 private:
-    Store store_;
-    Statement rows_;
+    fs::path file_;
+    const Study& study_;
+    std::optional<Store> store_;
+    std::optional<Statement> rows_;  // ends before the store
     std::size_t index_ = 0;
     bool has_begun_ = false;
+};
+
+// the sources that are open: where there are too many, the one that was used longest ago is closed
+class OpenSources {
+public:
+    explicit OpenSources(std::size_t most) : most_(std::max<std::size_t>(2, most)) {}
+
+    MergeSource& opened(MergeSource& source) {
+        if (!sources_.empty() && sources_.back() == &source) return source;
+        const auto place = std::find(sources_.begin(), sources_.end(), &source);
+        if (place != sources_.end()) {
+            std::rotate(place, place + 1, sources_.end());
+            return source;
+        }
+        if (sources_.size() == most_) close(*sources_.front());
+        source.open();
+        sources_.push_back(&source);
+        return source;
+    }
+
+    void close(MergeSource& source) {
+        source.close();
+        sources_.erase(std::find(sources_.begin(), sources_.end(), &source));
+    }
+
+private:
+    std::size_t most_;
+    std::vector<MergeSource*> sources_;  // the one that was used last at the end
 };
 
 // a store that is written in index order under another name until it is whole
 class NewStore {
 public:
-    NewStore(fs::path file, const Study& study) : file_(std::move(file)), name_(file_.string() + ".new") {
-        // whoever began it died; nobody else is merging, for the chart's store is claimed
-        fs::remove(name_);
+    NewStore(fs::path file, const std::string& mark, const Study& study)
+        : file_(std::move(file)),
+          name_(storage::unfinished_name(file_, mark)) {
         database_ = std::make_unique<storage::Database>(name_, store_options());
         // nothing of it is needed unless all of it is there
         database_->execute("PRAGMA journal_mode = MEMORY");
@@ -130,26 +178,29 @@ struct Later {
 
 // shows the rows of all sources in index order, each cell once
 template <typename Use>
-void visit_all(std::vector<std::unique_ptr<MergeSource>>& sources, std::size_t cells, Use&& use) {
+void visit_all(std::vector<std::unique_ptr<MergeSource>>& sources, std::size_t cells, OpenSources open, Use&& use) {
     std::priority_queue<MergeSource*, std::vector<MergeSource*>, Later> queue;
-    const auto go_on = [&](MergeSource* source) {
-        if (!source->next()) return;
-        if (source->index() >= cells)
-            throw no_cell_of_the_study(source->file(), static_cast<std::int64_t>(source->index()));
-        queue.push(source);
+    const auto go_on = [&](MergeSource& source) {
+        if (!open.opened(source).next()) return open.close(source);
+        if (source.index() >= cells)
+            throw no_cell_of_the_study(source.file(), static_cast<std::int64_t>(source.index()));
+        queue.push(&source);
+    };
+    const auto next = [&]() -> MergeSource& {
+        MergeSource& source = *queue.top();
+        queue.pop();
+        return open.opened(source);
     };
     for (const std::unique_ptr<MergeSource>& source : sources)
-        go_on(source.get());
+        go_on(*source);
     while (!queue.empty()) {
-        MergeSource* const first = queue.top();
-        queue.pop();
-        for (; !queue.empty() && queue.top()->index() == first->index();) {
-            MergeSource* const other = queue.top();
-            queue.pop();
-            first->expect_same(*other);
+        MergeSource& first = next();
+        while (!queue.empty() && queue.top()->index() == first.index()) {
+            MergeSource& other = next();
+            open.opened(first).expect_same(open.opened(other));
             go_on(other);
         }
-        use(*first);
+        use(open.opened(first));
         go_on(first);
     }
 }
@@ -203,8 +254,10 @@ std::vector<ShareStore> share_stores(const fs::path& folder) {
 MergeReport merge(const Study& study, const fs::path& folder, const MergeOptions& options) {
     const fs::path merged = folder / "chart.sqlite";
     storage::OwnerOptions claim = owner_options(merged);
+    claim.wait = options.wait;
     claim.has_lock = false;  // the merged store is another file than the one that is there
     storage::OwnerFile owner(merged, claim);
+    take_over_files(owner, merged);
     owner.end_change();  // the one that is there stays as it is until another takes its name
     MergeReport report;
     report.shares = share_stores(folder);
@@ -215,9 +268,9 @@ MergeReport merge(const Study& study, const fs::path& folder, const MergeOptions
     for (const ShareStore& store : report.shares)
         if (!store.is_filled) sources.push_back(std::make_unique<MergeSource>(store.file, study));
     if (fs::exists(merged)) sources.push_back(std::make_unique<MergeSource>(merged, study));
-    NewStore written(merged, study);
+    NewStore written(merged, owner.mark(), study);
     Reporter reporter(options, cells);
-    visit_all(sources, cells, [&](const MergeSource& source) {
+    visit_all(sources, cells, OpenSources(options.most_open), [&](const MergeSource& source) {
         marks[source.index()] = mark_in(study, source, cells);
         written.add(source.row());
         ++report.cells;
@@ -226,7 +279,7 @@ MergeReport merge(const Study& study, const fs::path& folder, const MergeOptions
     // where the locks of another machine are not seen somebody may have begun meanwhile
     for (const ShareStore& store : report.shares)
         if (!store.is_filled) storage::expect_not_filled(store.file, owner_options(store.file));
-    owner.expect_own();
+    owner.begin_change();
     written.keep();
     report.missing = refine(study, marks).missing;
     const std::size_t points = cells / study.directions.size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/storage/waiting.hpp"
 #include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"
 
@@ -26,7 +27,9 @@ std::vector<ShareStore> share_stores(const std::filesystem::path& folder);
 /// How to merge.
 struct MergeOptions {
     std::stop_token stop;                  // asks for an early end
+    storage::WaitOptions wait{};           // for one who claims the chart's store at the same time
     std::function<void(double)> progress;  // [1] the part that is done; at most ten times a second
+    std::size_t most_open = 256;           // [1] stores that are open at a time, at least 2: systems allow 1,024 files
 };
 
 /// What a merge found.
@@ -41,8 +44,9 @@ struct MergeReport {
 /// FOLDER/chart.sqlite.
 ///
 /// The cells stand in it in index order, and its bytes are the same however many shares there were and however often
-/// they were merged. Memory depends on the number of stores, and four bytes on each cell of the study. A store that is
-/// being filled is left out. Throws `Error`: input for a store of another study or generation, io for a damaged one,
+/// they were merged. Beyond `most_open` stores each is opened anew for each of its blocks. Memory grows with the stores
+/// that are open, and by four bytes with each cell of the study. A store that is being filled is left out. Throws
+/// `Error`: input for a store of another study or generation, io for a damaged one,
 /// for a cell that two of them hold otherwise, and where the chart's own store is being filled; interrupted on request.
 /// After any of these everything is as it was.
 MergeReport merge(const Study& study, const std::filesystem::path& folder, const MergeOptions& options = {});

@@ -25,9 +25,10 @@ std::filesystem::path share_file(const std::filesystem::path& folder, const Shar
     return shares_folder(folder) / (file_name_of(share) + ".sqlite");
 }
 
-ShareKeeper::ShareKeeper(const std::filesystem::path& own, const std::filesystem::path& merged, const Study& study)
+ShareKeeper::ShareKeeper(const std::filesystem::path& own, const std::filesystem::path& merged, const Study& study,
+                         const storage::WaitOptions& wait)
     : merged_(std::filesystem::exists(merged) ? std::make_unique<Store>(merged, study, StoreUse::read) : nullptr),
-      own_(own, study) {}
+      own_(own, study, StoreUse::fill, wait) {}
 
 std::vector<bool> ShareKeeper::stored() {
     std::vector<bool> found = own_.stored();

@@ -23,7 +23,8 @@ std::filesystem::path share_file(const std::filesystem::path& folder, const Shar
 class ShareKeeper final : public CellKeeper {
 public:
     /// Keeps cells in the store `own`; `merged` need not be there. Throws what a `Store` throws.
-    ShareKeeper(const std::filesystem::path& own, const std::filesystem::path& merged, const Study& study);
+    ShareKeeper(const std::filesystem::path& own, const std::filesystem::path& merged, const Study& study,
+                const storage::WaitOptions& wait = {});
 
     /// The share's own store.
     const Store& own() const { return own_; }

@@ -2,13 +2,16 @@
 
 #include "stridor/storage/database.hpp"
 #include "stridor/storage/owner_file.hpp"
+#include "stridor/storage/temporary.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,14 +38,17 @@ enum class StoreUse { fill, read };
 /// What is read is what was written, or an `Error` (io) says that the store is damaged: each page has a checksum.
 ///
 /// The file belongs to one process while it is filled, and survives the death of that process at any moment. Beside
-/// it stands meanwhile who fills it (`OwnerFile`), for other machines that see it.
+/// it stands meanwhile who fills it (`OwnerFile`), for other machines that see it. Of one that may only stand still it
+/// is taken over as a copy (`hand_over`); such a one's store is read as it is, or from a copy where a change is open.
 class Store final : public CellKeeper {
 public:
     /// Opens the store of this study, or makes it.
     ///
     /// Throws `Error`: input if the file is something else or another study's (the first difference is named), io if
-    /// another process fills it or the file cannot be read or written.
-    Store(const std::filesystem::path& file, const Study& study, StoreUse use = StoreUse::fill);
+    /// another process fills it or the file cannot be read or written, interrupted where a wait for another one is
+    /// ended.
+    Store(const std::filesystem::path& file, const Study& study, StoreUse use = StoreUse::fill,
+          const storage::WaitOptions& wait = {});
 
     ~Store() override;
     Store(const Store&) = delete;
@@ -51,8 +57,11 @@ public:
     /// Whose work was taken over, who died or has been silent for too long; nothing as a rule.
     const std::optional<storage::SeenOwner>& replaced() const { return replaced_; }
 
+    /// Was it taken over as a copy, from one who may go on with what he has open?
+    bool was_handed_over() const { return was_handed_over_; }
+
     /// Where it stands.
-    const std::filesystem::path& file() const { return database_.file(); }
+    const std::filesystem::path& file() const { return file_; }
 
     std::string name() const override { return "the store " + file().string(); }
 
@@ -70,17 +79,23 @@ public:
     void visit_figures(std::size_t first, std::size_t last, std::span<const CellFigure> figures,
                        const std::function<void(IndexedCell&)>& use) override;
 
-    /// The cells as they stand, in index order: rows of `cell_columns`, to be copied. Must end before the store.
-    storage::Statement rows();
+    /// The cells from an index on as they stand, in index order: rows of `cell_columns`, to be copied. Must end before
+    /// the store.
+    storage::Statement rows(std::int64_t from = std::numeric_limits<std::int64_t>::min());
 
     /// All cells that are there, in index order.
     std::vector<IndexedCell> read();
 
 private:
-    std::unique_ptr<storage::OwnerFile> owner_;  // nothing where it is only read
-    std::optional<storage::SeenOwner> replaced_;
-    storage::Database database_;
+    storage::Database opened(const storage::WaitOptions& wait);
+
+    std::filesystem::path file_;
     StoreUse use_;
+    std::optional<storage::PrivateFolder> private_;  // with a copy that is read
+    std::unique_ptr<storage::OwnerFile> owner_;      // nothing where it is only read
+    std::optional<storage::SeenOwner> replaced_;
+    bool was_handed_over_ = false;
+    storage::Database database_;
     bool is_blank_ = false;  // only read, and whoever began it died before it had tables
     std::size_t cells_ = 0;  // [1] of the study
     std::size_t known_ = 0;  // [1] of them that are there, once somebody asked

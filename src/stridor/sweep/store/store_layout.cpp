@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/storage/hand_over.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -77,11 +78,14 @@ std::string difference(const std::string& stored, const std::string& wanted) {
     return "its lines stand in another order";
 }
 
-// the verdicts of all starts: "none squeal failed"
+constexpr std::string_view sticks = classification::name(classification::Quiet::sticks);
+
+// the verdicts of all starts, "none squeal failed"; one that sticks is worse than one that slides, and told apart
 std::string words(std::span<const StartVerdict> starts) {
     std::string text;
     for (const StartVerdict& verdict : starts)
-        text += (text.empty() ? "" : " ") + std::string(word(verdict));
+        text += (text.empty() ? "" : " ") +
+                std::string(verdict.quiet == classification::Quiet::sticks ? sticks : word(verdict));
     return text;
 }
 
@@ -90,6 +94,10 @@ std::optional<std::vector<StartVerdict>> starts_in(const std::string& text) {
     std::vector<StartVerdict> starts;
     std::istringstream stream(text);
     for (std::string each; stream >> each;) {
+        if (each == sticks) {
+            starts.push_back({Status::done, classification::Category::none, classification::Quiet::sticks});
+            continue;
+        }
         const std::optional<std::size_t> number = place_in(verdict_words, each);
         if (!number) return std::nullopt;
         starts.push_back(verdict_of(*number));
@@ -119,6 +127,15 @@ storage::OwnerOptions owner_options(const std::filesystem::path& store) {
     storage::OwnerOptions options;
     options.shown = "the store " + store.string();
     return options;
+}
+
+void take_over_files(storage::OwnerFile& owner, const std::filesystem::path& store) {
+    // one that is left to the lock is not claimed yet
+    if (!owner.is_claimed()) return;
+    storage::remove_unfinished(store, owner.mark());
+    if (owner.may_be_in_other_hands())
+        storage::hand_over(store, owner.mark(), store_options(), [&] { owner.begin_change(); });
+    owner.settle();
 }
 
 std::string cell_columns(std::span<const CellFigure> figures) {

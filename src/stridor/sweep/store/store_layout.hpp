@@ -25,13 +25,17 @@ inline constexpr storage::Identity store_identity{0x53545244, 3};
 
 /// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
 /// store begun before is then refused, for its cells and new ones would not fit together.
-inline constexpr int results_version = 8;
+inline constexpr int results_version = 11;
 
 /// How a store is opened: by one process alone, with the words of a sweep.
 storage::DatabaseOptions store_options();
 
 /// How messages about who fills a store call it.
 storage::OwnerOptions owner_options(const std::filesystem::path& store);
+
+/// Makes a store that was claimed this process's own: what others were about to put in its place goes, and of a former
+/// owner who may go on with it there is a copy from now on (`storage::hand_over`).
+void take_over_files(storage::OwnerFile& owner, const std::filesystem::path& store);
 
 /// Makes the tables of an empty store, for the study of this canonical text.
 void create_tables(storage::Database& database, const std::string& study_text);

@@ -50,9 +50,31 @@ TEST(DmigTraps, ShortAndFreeFieldsAreTheSame) {
     }
 }
 
+// each line of a column of any length is taken and forgotten; one without fields says nothing
+TEST(DmigTraps, ColumnsAreAsLongAsTheyAre) {
+    std::string text = "DMIG,KAAX,0,6,2,0\nDMIG,KAAX,1,1,,1,1,1.\n";
+    for (int k = 2; k <= 2000; ++k)
+        text += "," + std::to_string(k) + ",1,0.5,," + std::to_string(k) + ",2,0.25\n,\n";
+    const DmigFile file = read_dmig(input_of(text + "GRID,1,,3.,4.,5.\n"));
+    EXPECT_EQ(file.matrices.at(0).entries.size(), 3999U);
+    EXPECT_EQ(file.matrices[0].entries.back().value(), 0.25);
+    EXPECT_EQ(file.positions.at("1").z(), 5.0);
+}
+
+TEST(DmigTraps, MoreMatricesThanAPartHasAreRefused) {
+    std::string text;
+    for (int k = 0; k < 65; ++k)
+        text += "DMIG,K" + std::to_string(k) + ",0,6,2,0\n";
+    expect_dmig_refused(text, "there are more than 64 matrices");
+}
+
 TEST(DmigTraps, OtherMatricesAreRefused) {
-    expect_dmig_refused("DMIG    KAAX           0       6       4       0\n", "the matrix KAAX is complex");
-    expect_dmig_refused("DMIG    KAAX           0       9       2       0\n", "the matrix KAAX is rectangular");
+    expect_dmig_refused("DMIG    KAAX           0       6       4       0\n" + dmig_mass,
+                        "found are KAAX (rectangular or complex), MAAX");
+    expect_dmig_refused("DMIG    KAAX           0       9       2       0\n" + dmig_mass,
+                        "there is no stiffness among the files (a structure vibrates by its stiffness and its mass; "
+                        "found are KAAX (rectangular or complex), MAAX). Add it, or name it with --stiffness "
+                        "FILE:NAME");
     expect_dmig_refused(dmig_mass + dmig_mass, "the matrix MAAX comes twice");
     expect_dmig_refused("DMIG    KAAX           1       1               1       1     1.0\n",
                         "the matrix KAAX has no header");
@@ -80,6 +102,7 @@ TEST(DmigTraps, LoadsAndStructuralDampingAreLeftOut) {
                                      {.files = {"j.pch"}});
     EXPECT_EQ(part.damping.rows(), 1);
     EXPECT_EQ(part.notes.at(0), "K4AAX holds structural damping, which is left out");
+    EXPECT_EQ(part.notes.at(1), "left out, as it is not the stiffness, mass or damping: PAX");
 }
 
 TEST(Output4Traps, WhatDoesNotFitIsRefused) {
@@ -90,7 +113,8 @@ TEST(Output4Traps, WhatDoesNotFitIsRefused) {
     const std::string header = "       2      -2       6       2KAAX    1P,3E23.16\n";
     const std::string column = "       1       0       4\n       3       1\n 1.0000000000000000E+00\n";
     refused(header + column, "the matrix KAAX is cut off");
-    refused("       2      -2       6       4KAAX    1P,3E23.16\n" + column, "the matrix KAAX is complex");
+    refused("       2      -2       6       4KAAX    1P,3E23.16\n       3       1       1\n 1.0E+00\n",
+            "found are KAAX (rectangular or complex)");
     refused(header + "       1       0       4\n       3       9\n 1.0E+00\n", "there is no row 9");
     refused(header + "       1       0       4\n       9       1\n 1.0E+00\n", "a string of 8 words does not fit");
     refused(header + "       7       0       4\n       3       1\n 1.0E+00\n", "there is no column 7");
@@ -115,7 +139,7 @@ TEST(Output4Traps, BinaryRecordsThatDoNotFitAreRefused) {
     refused(head, "the file is cut off (it ends within matrix KAAX)");
     refused(head + good.substr(0, 20), "the record at byte 32 does not end where it says");
     refused(head + good + "abc", "the file is cut off");
-    refused(header(2, 2, 4) + good, "matrix KAAX: it is complex");
+    refused(header(2, 2, 4) + good + column(3, 1, 2).real(1.0).take(), "found are KAAX (rectangular or complex)");
     refused(header(2, 2, 7) + good, "matrix KAAX: its first record is damaged");
     refused(header(-2, 2, 2) + good, "matrix KAAX: its first record is damaged");
     refused(head + column(7, 1, 4).real(1.0).real(2.0).take(), "matrix KAAX: there is no column 7 (it has 2)");

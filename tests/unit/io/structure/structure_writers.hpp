@@ -150,7 +150,7 @@ inline std::string output4(const reduction::SparseMatrix& matrix, const std::str
     const Eigen::MatrixXd dense(matrix);
     for (Eigen::Index column = 0; column < rows; ++column) {
         if (sparse == Sparse::none) {
-            text += fmt::format("{:8}{:8}{:8}\n", column + 1, 1, 2 * rows);
+            text += fmt::format("{:8}{:8}{:8}\n", column + 1, 1, rows);
             values({dense.col(column).begin(), dense.col(column).end()});
             continue;
         }

@@ -33,7 +33,11 @@ TEST(CalculixTraps, ExpandedBeamsAreRefused) {
                     {"b31.mas", text_of(traps + "b31.mas")},
                     {"b31.dof", text_of(traps + "b31.dof")}},
                    {.files = {"b31.dof"}},
-                   "the label 1.2 stands for several rows (CalculiX expands beams and shells to solids");
+                   "the label 1.2 stands for several rows (CalculiX gives further rows the number of an old node");
+}
+
+TEST(CalculixTraps, ADeckWithoutMatricesSaysHowToWriteThem) {
+    expect_refused({{"seal.inp", two_nodes}}, {.files = {"seal.inp"}}, "there is no seal.sti beside it");
 }
 
 // an equation, a transformed system and a rigid body: rows vanish, and rotations come under labels of translations
@@ -140,7 +144,28 @@ TEST(CalculixDeck, RefusesWhatDoesNotEndOrIsNotThere) {
     expect_job_refused(job("1.1\n2.1\n", "*NSET\n1\n"), "the node set has no name");
     expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A\nB\n"), "there is no node set \"B\"");
     expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A\nA\n"), "the node set A holds itself");
-    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A, GENERATE\n1, 100000000\n"), "these nodes cannot be counted");
+    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A, GENERATE\n1, 1000000000\n"), "these nodes cannot be counted");
+}
+
+// 2 kB of deck asked for 120 million nodes
+TEST(CalculixDeck, BoundsItsSetsTogether) {
+    const std::string too_many = "the node sets hold more than 4000000 nodes together";
+    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A, GENERATE\n1, 100000000\n"), too_many);
+    std::string sets;
+    for (int k = 0; k < 5; ++k)
+        sets += "*NSET, NSET=A" + std::to_string(k) + ", GENERATE\n1, 1000000\n";
+    expect_job_refused(job("1.1\n2.1\n", sets), too_many);
+    sets = "*NSET, NSET=A, GENERATE\n1, 100000\n";
+    for (int k = 0; k < 40; ++k)
+        sets += "*NSET, NSET=B" + std::to_string(k) + "\nA\n";
+    expect_job_refused(job("1.1\n2.1\n", sets), too_many);
+}
+
+TEST(CalculixDeck, BoundsItsNamesOfSets) {
+    std::string sets = two_nodes;
+    for (int k = 0; k < 100'001; ++k)
+        sets += "*NSET, NSET=A" + std::to_string(k) + "\n1\n";
+    expect_job_refused(job("1.1\n2.1\n", sets), "there are more than 100000 node sets");
 }
 
 TEST(MatrixTraps, BothTrianglesMustAgree) {
@@ -217,6 +242,10 @@ TEST(LabelTraps, TablesMustFitTheMatrices) {
     refused("node,component,x [kg],y,z\n1,1,0,0,0\n1,2,0,0,0\n", "\"kg\" is no length");
     refused("node,component,x,y,z\n1,1,0,far,0\n1,2,0,0,0\n", "\"far\" is no coordinate");
     refused("knot,way\n1,1\n", "it holds no labels");
+    std::string sets = "node,component,set\n";
+    for (int k = 0; k < 100'001; ++k)
+        sets += (k % 5000 == 0 ? "\n1,1,A" : " A") + std::to_string(k);
+    refused(sets + "\n", "there are more than 100000 node sets");
     const ElasticPart part = part_of({{"k", good}, {"m", good}, {"t.csv", "component;node\nUY;7\nrotz;7\n"}},
                                      {.stiffness = "k", .mass = "m", .labels = "t.csv"});
     EXPECT_EQ(describe(part.labels[0]), "7.2");

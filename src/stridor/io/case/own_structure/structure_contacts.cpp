@@ -49,6 +49,21 @@ std::pair<double, std::string> signed_name(const std::string& word) {
     return {1.0, word};
 }
 
+// does none of them follow from the others? By what is left of each beside those before it
+bool are_independent(const std::vector<std::vector<double>>& directions) {
+    constexpr double left = 1e-6;  // [1] of its length
+    std::vector<Eigen::VectorXd> before;
+    for (const std::vector<double>& direction : directions) {
+        Eigen::VectorXd rest = Eigen::Map<const Eigen::VectorXd>(direction.data(), std::ssize(direction));
+        rest.normalize();
+        for (const Eigen::VectorXd& other : before)
+            rest -= other.dot(rest) * other;
+        if (!(rest.norm() > left)) return false;
+        before.push_back(rest.normalized());
+    }
+    return true;
+}
+
 /// Makes the rows of one contact after the other.
 class ContactMaker {
 public:
@@ -96,12 +111,9 @@ private:
 
     const reduction::NodeSet& set_named(const std::string& name) const {
         const reduction::NodeSet* set = find_set(part_, name);
-        std::string names;
-        for (const reduction::NodeSet& each : part_.sets)
-            names += (names.empty() ? "" : ", ") + each.name;
         if (set == nullptr)
             throw problem(fmt::format("there is no node set \"{}\"", name),
-                          names.empty() ? "the structure has none" : "its node sets are " + names);
+                          part_.sets.empty() ? "the structure has none" : "its node sets are " + set_names(part_));
         if (set->nodes.empty()) throw problem(fmt::format("the node set {} is empty", name), "");
         return *set;
     }
@@ -256,8 +268,12 @@ private:
     void add(const NamedContact& named, const std::string& name, Directions rows, std::size_t among) {
         if (!named.second_tangent && named.second_drive_share != 0.0)
             throw problem("second_drive_share stands without a second_tangent", "the contact slips in one direction");
-        if (rows.second_tangent == rows.tangent)
-            throw problem("the second tangent is the first one", "a plane has two directions");
+        if (!are_independent({rows.normal, rows.tangent}))
+            throw problem(fmt::format("the tangent of contact \"{}\" is along its normal", name),
+                          "what opens the gap would be slip", "Give it a tangent at right angles to the normal.");
+        if (named.second_tangent && !are_independent({rows.normal, rows.tangent, rows.second_tangent}))
+            throw problem(fmt::format("the second tangent of contact \"{}\" is made of its normal and tangent", name),
+                          "a plane has two directions", "Give it one at right angles to both.");
         for (const OwnContact& other : contacts_) {
             if (other.name == name)
                 throw problem(fmt::format("two contacts are called \"{}\"", name), "", "Give each a name of its own.");
@@ -355,11 +371,12 @@ std::vector<OwnOutput> outputs_at(const reduction::Reduction& reduction, const s
     return outputs;
 }
 
-void share_preload(std::vector<OwnContact>& contacts, const std::vector<NamedContact>& named,
-                   const std::vector<double>& load, const base::Place& place) {
+void share_preload(parameters::OwnStructure& own, const std::vector<NamedContact>& named, const base::Place& place) {
+    std::vector<OwnContact>& contacts = own.contacts;
     const bool has_shares = std::any_of(named.begin(), named.end(),
                                         [](const NamedContact& each) { return each.preload_share.has_value(); });
-    const bool has_load = std::any_of(load.begin(), load.end(), [](double force) { return force != 0.0; });
+    const auto is_there = [](double value) { return value != 0.0; };
+    const bool has_load = std::any_of(own.load.begin(), own.load.end(), is_there);
     const bool has_overlap = std::any_of(contacts.begin(), contacts.end(),
                                          [](const OwnContact& contact) { return contact.initial_gap < 0.0; });
     if (has_shares && (has_load || has_overlap))
@@ -377,10 +394,12 @@ void share_preload(std::vector<OwnContact>& contacts, const std::vector<NamedCon
             throw refusal(place, "contact \"" + contact.name + "\" touches without load",
                           "whether it is closed at rest is not determined", "Give it a preload_share or a gap.");
     }
-    if (std::none_of(contacts.begin(), contacts.end(),
-                     [](const OwnContact& contact) { return contact.preload_share > 0.0; }))
+    // a body may fly towards a surface that it does not touch yet
+    const bool is_flying = std::any_of(own.initial_velocity.begin(), own.initial_velocity.end(), is_there);
+    if (!is_flying && std::none_of(contacts.begin(), contacts.end(),
+                                   [](const OwnContact& contact) { return contact.preload_share > 0.0; }))
         throw refusal(place, "nothing presses the structure on its contacts", "all of them are open",
-                      "Give one no gap, or a negative one.");
+                      "Give one no gap, or a negative one, or the structure an initial_velocity.");
 }
 
 }  // namespace stridor::io

@@ -82,8 +82,8 @@ std::vector<parameters::OwnOutput> outputs_at(const reduction::Reduction& reduct
                                               const std::vector<parameters::OwnContact>& contacts);
 
 /// Shares of the preload where nobody gave one: equal, of all that are not open. Throws `Error` (input) at `place` for
-/// shares beside a load or negative gaps, and for contacts that touch without load.
-void share_preload(std::vector<parameters::OwnContact>& contacts, const std::vector<NamedContact>& named,
-                   const std::vector<double>& load, const base::Place& place);
+/// shares beside a load or negative gaps, for contacts that touch without load, and where all are open and the
+/// structure does not move at the start.
+void share_preload(parameters::OwnStructure& own, const std::vector<NamedContact>& named, const base::Place& place);
 
 }  // namespace stridor::io

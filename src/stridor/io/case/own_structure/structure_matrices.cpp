@@ -140,6 +140,8 @@ NamedPart of_files(const TomlSection& section) {
         named.part = std::move(reduction.part);
         named.recovered = std::move(reduction.recovered);
         named.recovery = std::move(reduction.recovery);
+        const bool is_macneal = reduction.method == reduction::ReductionMethod::macneal;
+        if (is_macneal && !reduction.mode_frequencies.empty()) named.left_out_above = reduction.mode_frequencies.back();
         return named;
     }
     const std::string units = section.text_or("units", "m-kg-s");

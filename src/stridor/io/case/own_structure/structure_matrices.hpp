@@ -17,6 +17,7 @@ struct NamedPart {
     std::string origin;
     std::vector<reduction::RowLabel> recovered{};  // further rows of a reduced part, and their motion
     Eigen::MatrixXd recovery{};                    // [1] shape [recovered][row]
+    double left_out_above = 0.0;                   // [Hz] of a boundary without mass; 0: no modes were
 };
 
 /// The matrices of [structure] with the labels of their rows: in the file itself (`mass = [[...]]`, `rows`), as CSV or

@@ -4,9 +4,9 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/io/case/own_structure/contacts_csv.hpp"
-#include "stridor/io/case/own_structure/structure_matrices.hpp"
 #include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/reduction/lowest_modes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,8 +29,8 @@ constexpr std::string_view contact_opening = "structure.contact.";
 constexpr std::string_view output_opening = "structure.output.";
 
 constexpr std::array<std::string_view, 3> matrix_keys{"mass", "stiffness", "damping"};
-constexpr std::array<std::string_view, 4> number_keys{"damping_ratio", "loss_factor", "rayleigh_mass",
-                                                      "rayleigh_stiffness"};
+constexpr std::array<std::string_view, 5> number_keys{"damping_ratio", "loss_factor", "rayleigh_mass",
+                                                      "rayleigh_stiffness", "left_out_above"};
 constexpr std::array<std::string_view, 4> list_keys{"load", "force", "initial_displacement", "initial_velocity"};
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
@@ -199,6 +199,13 @@ void expect_solvable(const ElasticPart& part, const TomlSection& section) {
             {"the mass is not positive definite", "some motion of the structure would have no inertia",
              "Give each row a mass, or take out those without. A finite-element part: reduce it by Craig-Bampton."},
             section.place());
+    try {
+        reduction::expect_no_buckling(part.stiffness, part.mass);
+    } catch (const Error& error) {
+        const TomlEntry* entry = section.find("file");
+        if (entry == nullptr) entry = section.find("stiffness");
+        throw Error(error.kind(), error.problem(), entry != nullptr ? entry->value_place : section.place());
+    }
 }
 
 OwnStructure from_part(const TomlDocument& document, const TomlSection& section) {
@@ -214,11 +221,13 @@ OwnStructure from_part(const TomlDocument& document, const TomlSection& section)
                      section.find_quantity("loss_factor", "1", Bound::not_negative).value_or(0.0),
                      section.find_quantity("rayleigh_mass", "1/s", Bound::not_negative).value_or(0.0),
                      section.find_quantity("rayleigh_stiffness", "s", Bound::not_negative).value_or(0.0)};
+    own.left_out_above =
+        section.find_quantity("left_out_above", "Hz", Bound::not_negative).value_or(named.left_out_above);
     if (section.has("initial_velocity")) own.initial_velocity = section.numbers("initial_velocity", own.row.size());
     if (section.has("load")) own.load = section.numbers("load", own.row.size());
     const std::vector<NamedContact> contacts = named_contacts(document, section);
     own.contacts = contacts_at(part, contacts);
-    share_preload(own.contacts, contacts, own.load, section.place());
+    share_preload(own, contacts, section.place());
     reduction::Reduction recovered;
     recovered.part.labels = part.labels;
     recovered.part.sets = part.sets;
@@ -311,6 +320,14 @@ std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& docum
         expect_closed(own, section);
     }
     return std::make_shared<const OwnStructure>(std::move(own));
+}
+
+NamedPart part_of_case(const TomlDocument& document) {
+    const TomlSection section(document, std::string(opening));
+    if (!has_own_structure(document) || section.has("builder"))
+        base::refuse("the case has no finite-element part", "only a part has nodes at places of their own",
+                     "Name one: [structure] file = \"part.nc\".");
+    return part_in(section);
 }
 
 std::shared_ptr<const OwnStructure> read_enclosed_structure(const TomlDocument& document) {

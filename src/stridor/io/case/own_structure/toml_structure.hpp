@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/io/case/complaints.hpp"
+#include "stridor/io/case/own_structure/structure_matrices.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
@@ -33,6 +34,10 @@ TomlDocument without_structure(const TomlDocument& document, Complaints& complai
 /// Throws `Error` (input) for unknown keys, matrices that do not fit or are no structure (`reduction::expect_sound`,
 /// and a mass that is not positive definite), and what `contacts_at` and `share_preload` refuse.
 std::shared_ptr<const parameters::OwnStructure> read_own_structure(const TomlDocument& document);
+
+/// Reads the finite-element part that [structure] of a document names, with the labels and places of its nodes. Throws
+/// `Error` (input) where a case has none.
+NamedPart part_of_case(const TomlDocument& document);
 
 /// The same of a document whose user may name no files: throws `Error` (input) for one that it would open.
 std::shared_ptr<const parameters::OwnStructure> read_enclosed_structure(const TomlDocument& document);

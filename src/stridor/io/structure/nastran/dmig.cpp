@@ -15,17 +15,23 @@ namespace {
 
 using recordings::LineReader;
 using recordings::refusal;
+using reduction::describe;
 using reduction::RowLabel;
 
-/// A card: its fields without the names of continuations, blanks cut off.
+constexpr std::size_t most_matrices = 64;  // of a file
+
+/// A card as far as it was read: its fields without the names of continuations, blanks cut off.
 struct Card {
     std::vector<std::string> fields;  // the first is the name, without its star
-    int line = 0;
+    int line = 0;                     // the last one read
+    bool is_too_wide = false;         // text stands behind column 80 of it, which is not read
 
     std::string_view at(std::size_t field) const {
         return field < fields.size() ? std::string_view(fields[field]) : std::string_view();
     }
 };
+
+constexpr std::size_t width_of_line = 80;  // [1] columns that a line of fields has
 
 /// The fields of one line behind its first. Values may touch each other: only columns part them.
 void add_fields(std::string_view text, bool is_large, std::vector<std::string>& into) {
@@ -35,45 +41,68 @@ void add_fields(std::string_view text, bool is_large, std::vector<std::string>& 
         into.emplace_back(from < text.size() ? base::trimmed(text.substr(from, width)) : std::string_view());
 }
 
+// behind `most` fields stands the name of the continuation. A line of more than that goes on by itself, as the Quick
+// Reference Guide says ("Format of Bulk Data Entries"): all it holds are fields
 void add_parted_fields(std::string_view text, std::size_t most, std::vector<std::string>& into) {
-    std::size_t from = text.find(',') + 1;
-    for (std::size_t count = 0; count < most; ++count) {
+    std::vector<std::string> fields;
+    for (std::size_t from = text.find(',') + 1; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
-        into.emplace_back(from <= text.size() ? base::trimmed(text.substr(from, comma - from)) : std::string_view());
+        fields.emplace_back(base::trimmed(text.substr(from, comma - from)));
         from = comma + 1;
     }
+    while (!fields.empty() && fields.back().empty())
+        fields.pop_back();
+    if (fields.size() <= most + 1) fields.resize(most);
+    into.insert(into.end(), fields.begin(), fields.end());
+}
+
+// without its comment, and with blanks for its tabs: each field begins at a column
+std::string plain_line(std::string_view text) {
+    std::string plain;
+    for (const char letter : text.substr(0, text.find('$')))
+        if (letter == '\t')
+            plain.resize((plain.size() / 8 + 1) * 8, ' ');
+        else
+            plain += letter;
+    return plain;
 }
 
 bool is_continuation(std::string_view text) {
     return text.starts_with('*') || text.starts_with('+') || text.starts_with("        ") || text.starts_with(',');
 }
 
-/// Reads card after card.
+/// Reads card after card, and each line by line: a column may be as long as the file.
 class CardReader {
 public:
     explicit CardReader(const StructureInput& input) : lines_(input.bytes, input.name) {}
 
+    /// The first line of the next card; what is left of the one before is passed over.
     std::optional<Card> next() {
-        while (!ahead_ && advance())
-            if (is_continuation(text_)) ahead_ = false;  // of a card that was passed over
-        if (!ahead_) return std::nullopt;
-        Card card;
-        card.line = number_;
-        add_line(card);
-        ahead_ = false;
-        while (advance() && is_continuation(text_)) {
-            add_line(card);
+        while (ahead_ || advance()) {
             ahead_ = false;
+            if (is_continuation(text_)) continue;
+            Card card;
+            add_line(card);
+            return card;
         }
-        return card;
+        return std::nullopt;
+    }
+
+    /// Adds the fields of the card's next line; false where it has no other.
+    bool read_on(Card& card) {
+        if (!ahead_ && !advance()) return false;
+        if (!is_continuation(text_)) return false;
+        ahead_ = false;
+        add_line(card);
+        return true;
     }
 
 private:
     // the next line that says something
     bool advance() {
         while (const auto line = lines_.next()) {
-            if (base::trimmed(line->text).empty() || line->text.starts_with('$')) continue;
-            text_ = line->text;
+            text_ = plain_line(line->text);
+            if (base::trimmed(text_).empty()) continue;
             number_ = line->number;
             ahead_ = true;
             return true;
@@ -95,6 +124,8 @@ private:
             add_parted_fields(text, is_large ? 4 : 8, card.fields);
         else
             add_fields(text, is_large, card.fields);
+        card.line = number_;
+        card.is_too_wide = !is_parted && text.find_last_not_of(' ') + 1 > width_of_line;
     }
 
     LineReader lines_;
@@ -107,19 +138,23 @@ class DmigReader {
 public:
     explicit DmigReader(const StructureInput& input) : file_(input.name) {}
 
-    void take(const Card& card) {
+    void take(Card& card, CardReader& cards) {
         card_ = &card;
+        constexpr std::size_t head = 9;  // fields of a card of one short line
+        const bool is_known = card.at(0) == "GRID" || card.at(0) == "DMIG";
+        while (is_known && card.fields.size() < head && cards.read_on(card)) {
+        }
+        if (is_known) expect_whole();
         if (card.at(0) == "GRID") take_grid();
         if (card.at(0) != "DMIG") return;
         if (card.at(2) == "0")
             take_header();
         else
-            take_column();
+            take_column(card, cards);
     }
 
     DmigFile finish() {
         for (std::size_t k = 0; k < held_.size(); ++k) {
-            if (held_[k].is_passed_over) continue;
             held_[k].order.finish(held_[k].matrix);
             found_.matrices.push_back(std::move(held_[k].matrix));
         }
@@ -130,7 +165,6 @@ private:
     struct Held {
         ListedMatrix matrix;
         LabelOrder order;
-        bool is_passed_over = false;  // loads
     };
 
     base::Error complaint(std::string what, std::string why = "", std::string suggestion = "") const {
@@ -143,25 +177,30 @@ private:
         return *value;
     }
 
+    void expect_whole() const {
+        if (card_->is_too_wide)
+            throw complaint("text stands behind column 80", "a line of fields ends there, and it would not be read",
+                            "Part the fields by commas, or go on in the next line.");
+    }
+
     void take_header() {
         const std::string name = upper(card_->at(1));
         const std::int64_t form = integer(3, "form of a matrix");
         const std::int64_t type = integer(4, "type of numbers");
-        const MatrixRole role = role_of_name(name);
         for (const Held& each : held_)
             if (each.matrix.name == name)
                 throw complaint(fmt::format("the matrix {} comes twice", name), "which of them counts is not said");
+        if (held_.size() == most_matrices)
+            throw complaint(fmt::format("there are more than {} matrices", most_matrices),
+                            "a part has a stiffness, a mass and a damping");
         const bool is_square = form == 1 || form == 6;
-        if (role != MatrixRole::load && !is_square)
-            throw complaint(fmt::format("the matrix {} is rectangular", name),
-                            "those of a structure are square: form 6 or 1");
-        if (role != MatrixRole::load && type != 1 && type != 2)
-            throw complaint(fmt::format("the matrix {} is complex", name),
-                            "those of a structure are real: type 1 or 2");
-        held_.push_back(
-            {{.file = file_, .name = name, .role = role, .triangles = form == 6 ? Triangles::untold : Triangles::both},
-             {},
-             role == MatrixRole::load});
+        const bool is_complex = type != 1 && type != 2;
+        held_.push_back({{.file = file_,
+                          .name = name,
+                          .role = role_of_name(name),
+                          .triangles = form == 6 ? Triangles::untold : Triangles::both,
+                          .is_passed_over = !is_square || is_complex},
+                         {}});
     }
 
     // 0 and blank: a scalar point
@@ -175,22 +214,33 @@ private:
         return {std::to_string(node), static_cast<int>(component)};
     }
 
-    void take_column() {
+    void take_column(Card& card, CardReader& cards) {
         const std::string name = upper(card_->at(1));
         const auto held =
             std::find_if(held_.begin(), held_.end(), [&](const Held& each) { return each.matrix.name == name; });
         if (held == held_.end())
             throw complaint(fmt::format("the matrix {} has no header", name),
                             "a card with 0 in its third field comes first");
-        if (held->is_passed_over) return;
+        if (held->matrix.is_passed_over) return;
         const Eigen::Index column = held->order.row_of(label_at(2));
-        // node, component, real and imaginary part of each row
-        for (std::size_t at = 5; at + 2 < card_->fields.size(); at += 4) {
-            if (card_->at(at).empty()) continue;
-            const Eigen::Index row = held->order.row_of(label_at(at));
+        take_entries(*held, column, 5);
+        for (card.fields.resize(1); cards.read_on(card); card.fields.resize(1)) {
+            expect_whole();
+            take_entries(*held, column, 1);
+        }
+    }
+
+    // from a field on: node, component, real and imaginary part of each row
+    void take_entries(Held& held, Eigen::Index column, std::size_t from) {
+        for (std::size_t at = from; at < card_->fields.size(); at += 4) {
+            if (card_->at(at).empty() && card_->at(at + 2).empty()) continue;
+            const Eigen::Index row = held.order.row_of(label_at(at));
+            if (card_->at(at + 2).empty())
+                throw complaint(
+                    fmt::format("{} of the matrix {} has no value", describe(label_at(at)), held.matrix.name));
             const auto value = real_in(card_->at(at + 2));
             if (!value) throw complaint(fmt::format("\"{}\" is no finite number", card_->at(at + 2)));
-            held->matrix.entries.emplace_back(static_cast<int>(row), static_cast<int>(column), *value);
+            held.matrix.entries.emplace_back(static_cast<int>(row), static_cast<int>(column), *value);
         }
     }
 
@@ -237,8 +287,8 @@ bool is_dmig(std::string_view beginning) {
 DmigFile read_dmig(const StructureInput& input) {
     CardReader cards(input);
     DmigReader reader(input);
-    while (const auto card = cards.next())
-        reader.take(*card);
+    while (auto card = cards.next())
+        reader.take(*card, cards);
     return reader.finish();
 }
 

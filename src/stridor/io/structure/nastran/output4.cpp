@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace stridor::io::structure {
@@ -23,28 +24,41 @@ constexpr FortranFormat integers{10, 8};
 struct Output4Header {
     std::int64_t columns = 0;
     std::int64_t rows = 0;  // without its sign
-    bool is_big = false;    // BIGMAT: strings begin with two integers
+    bool is_big = false;    // BIGMAT, as of 65536 rows always: strings begin with two integers
     std::int64_t form = 0;
     std::int64_t type = 0;
     std::string name;
     FortranFormat values;
+
+    bool is_square() const { return rows == columns; }
+    bool is_complex() const { return type > 2; }
 };
 
+// columns and rows fill eight columns each, or 16 where the line ends in |I16; without a format it is 5E16.9
 std::optional<Output4Header> header_in(std::string_view line) {
-    if (line.size() < 33 || line.size() > 200) return std::nullopt;
-    const auto number = [&](std::size_t field) { return integer_in(base::trimmed(line.substr(8 * field, 8))); };
-    const auto columns = number(0);
-    const auto rows = number(1);
-    const auto form = number(2);
-    const auto type = number(3);
+    const std::size_t width = base::trimmed(line).ends_with("|I16") ? 16 : 8;
+    const std::size_t at = 2 * width;  // where the form stands
+    if (line.size() < at + 17 || line.size() > 200) return std::nullopt;
+    const auto number = [&](std::size_t from, std::size_t wide) {
+        return integer_in(base::trimmed(line.substr(from, wide)));
+    };
+    const auto columns = number(0, width);
+    const auto rows = number(width, width);
+    const auto form = number(at, 8);
+    const auto type = number(at + 8, 8);
     constexpr std::int64_t most = 2'000'000'000;
     if (!columns || !rows || !form || !type || *columns < 1 || *rows == 0 || *columns > most || std::abs(*rows) > most)
         return std::nullopt;
-    const std::string name(base::trimmed(line.substr(32, 8)));
-    const std::string_view format = line.size() > 40 ? line.substr(40) : std::string_view("1P,3E23.16");
-    const auto values = fortran_format(format);
-    if (name.empty() || (name[0] >= '0' && name[0] <= '9') || !values) return std::nullopt;
-    return Output4Header{*columns, std::abs(*rows), *rows < 0, *form, *type, name, *values};
+    const std::string name(base::trimmed(line.substr(at + 16, 8)));
+    const std::string_view format = base::trimmed(line.substr(std::min(at + 24, line.size())));
+    const auto values = fortran_format(format.empty() ? "5E16.9" : format);
+    // a name may begin with a digit; but for the format it would be a row of numbers then
+    const bool is_bare = format.empty() || format.find('.') < format.find_first_of("EeDd");
+    const bool is_number = !name.empty() && name[0] >= '0' && name[0] <= '9';
+    if (name.empty() || (is_number && is_bare) || !values) return std::nullopt;
+    constexpr std::int64_t rows_of_big = 65536;
+    const bool is_big = *rows < 0 || *rows >= rows_of_big;
+    return Output4Header{*columns, std::abs(*rows), is_big, *form, *type, name, *values};
 }
 
 class Output4Reader {
@@ -59,17 +73,12 @@ public:
                 throw complaint("it is no header of a matrix",
                                 "an ASCII OUTPUT4 file begins with columns, rows, form, "
                                 "type and name in fields of eight columns");
-            ListedMatrix matrix = read_matrix(*header);
-            if (is_wanted(*header)) matrices.push_back(std::move(matrix));
+            matrices.push_back(read_matrix(*header));
         }
         return matrices;
     }
 
 private:
-    static bool is_wanted(const Output4Header& header) {
-        return header.rows == header.columns && role_of_name(header.name) != MatrixRole::load;
-    }
-
     bool advance() {
         while (const auto line = lines_.next())
             if (!base::trimmed(line->text).empty()) {
@@ -96,84 +105,89 @@ private:
     }
 
     ListedMatrix read_matrix(const Output4Header& header) {
-        if (is_wanted(header) && header.type != 1 && header.type != 2)
-            throw complaint(fmt::format("the matrix {} is complex", header.name),
-                            "those of a structure are real: type 1 or 2");
         ListedMatrix matrix{.file = file_,
                             .name = header.name,
                             .role = role_of_name(header.name),
                             .triangles = header.form == 6 ? Triangles::untold : Triangles::both,
-                            .rows = is_wanted(header) ? static_cast<Eigen::Index>(header.rows) : 0};
+                            .is_passed_over = !header.is_square() || header.is_complex(),
+                            .rows = static_cast<Eigen::Index>(header.rows)};
         for (;;) {
             expect_more(header.name);
             const std::int64_t column = integer(0);
             const std::int64_t first = integer(1);
-            const std::int64_t words = integer(2);
+            const std::int64_t count = integer(2);  // of printed numbers, or of words in a sparse column
             if (column == header.columns + 1) {
                 expect_more(header.name);  // a dummy value
                 return matrix;
             }
-            if (column < 1 || column > header.columns || words < 1)
+            if (column < 1 || column > header.columns || count < 1)
                 throw complaint(fmt::format("there is no column {}", column),
                                 fmt::format("the matrix {} has {}", header.name, header.columns));
             if (first > 0)
-                read_string(header, matrix, column, {first, words});
+                read_numbers(header, matrix, {column, first, count});
             else
-                read_strings(header, matrix, column, words);
+                read_strings(header, matrix, column, count);
         }
     }
 
-    /// Values of a column that stand one below the other.
-    struct ValueString {
+    /// Numbers of a column that stand one below the other; a complex value is two of them.
+    struct NumberRun {
+        std::int64_t column;
         std::int64_t first_row;
-        std::int64_t words;
+        std::int64_t count;
     };
 
-    // all strings of a sparse column: each has its header among the column's words
+    // all strings of a sparse column: each has its header among the column's words, and a double is two of them
     void read_strings(const Output4Header& header, ListedMatrix& matrix, std::int64_t column, std::int64_t words) {
         while (words > 0) {
             expect_more(header.name);
-            ValueString string{};
+            std::int64_t first = 0;
+            std::int64_t its_words = 0;
             if (header.is_big) {
-                string = {integer(1), integer(0) - 1};
+                first = integer(1);
+                its_words = integer(0) - 1;
                 words -= 2;
             } else {
                 constexpr std::int64_t pack = 65536;  // IS = row + 65536 (words + 1)
                 const std::int64_t packed = integer_in(base::trimmed(line_.text)).value_or(0);
-                string = {packed % pack, packed / pack - 1};
+                first = packed % pack;
+                its_words = packed / pack - 1;
                 words -= 1;
             }
-            if (string.words < 1 || string.words > words)
-                throw complaint(fmt::format("a string of {} words does not fit its column", string.words));
-            read_string(header, matrix, column, string);
-            words -= string.words;
+            const std::int64_t words_per_number = header.type % 2 == 1 ? 1 : 2;
+            if (its_words < 1 || its_words > words || its_words % words_per_number != 0)
+                throw complaint(fmt::format("a string of {} words does not fit its column", its_words));
+            read_numbers(header, matrix, {column, first, its_words / words_per_number});
+            words -= its_words;
         }
     }
 
-    void read_string(const Output4Header& header, ListedMatrix& matrix, std::int64_t column,
-                     const ValueString& string) {
-        const std::int64_t words_per_value = header.type == 1 ? 1 : header.type == 4 ? 4 : 2;
-        const std::int64_t count = string.words / words_per_value;
-        const bool is_complex = header.type > 2;
-        if (string.first_row < 1 || string.first_row + count - 1 > header.rows || count < 1)
-            throw complaint(fmt::format("there is no row {}", string.first_row + count - 1),
+    void read_numbers(const Output4Header& header, ListedMatrix& matrix, const NumberRun& run) {
+        const std::int64_t rows = header.is_complex() ? run.count / 2 : run.count;
+        if (run.first_row < 1 || rows > header.rows - run.first_row + 1)
+            throw complaint(fmt::format("there is no row {}", run.first_row + rows - 1),
                             fmt::format("the matrix {} has {}", header.name, header.rows));
-        std::int64_t row = string.first_row;
-        std::int64_t left = is_complex ? 2 * count : count;
+        std::int64_t row = run.first_row;
+        std::int64_t left = run.count;
         while (left > 0) {
             expect_more(header.name);
             const auto fields = fields_of(line_.text, header.values);
             if (fields.empty() || static_cast<std::int64_t>(fields.size()) > left)
-                throw complaint(fmt::format("here should stand {} more values", left));
+                throw complaint(fmt::format("here should stand {} more values", left), widths(header));
             for (const std::string_view field : fields) {
                 const auto value = real_in(field);
-                if (!value) throw complaint(fmt::format("\"{}\" is no finite number", field));
-                if (is_wanted(header))
-                    matrix.entries.emplace_back(static_cast<int>(row - 1), static_cast<int>(column - 1), *value);
+                if (!value) throw complaint(fmt::format("\"{}\" is no finite number", field), widths(header));
+                if (!matrix.is_passed_over && *value != 0.0)
+                    matrix.entries.emplace_back(static_cast<int>(row - 1), static_cast<int>(run.column - 1), *value);
                 ++row;
                 --left;
             }
         }
+    }
+
+    static std::string widths(const Output4Header& header) {
+        return fmt::format("by the header of {} a line holds {} numbers of {} columns", header.name,
+                           header.values.count, header.values.width);
     }
 
     LineReader lines_;

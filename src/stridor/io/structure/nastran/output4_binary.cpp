@@ -109,8 +109,7 @@ public:
     std::vector<ListedMatrix> read() {
         std::vector<ListedMatrix> matrices;
         while (at_ < bytes_.size()) {
-            ListedMatrix matrix = read_matrix();
-            if (is_wanted_) matrices.push_back(std::move(matrix));
+            matrices.push_back(read_matrix());
         }
         return matrices;
     }
@@ -151,19 +150,17 @@ private:
         const std::int64_t form = header.integer();
         type_ = header.integer();
         name_ = printable(header.text(2));
-        is_big_ = rows < 0;
+        is_big_ = rows < 0 || rows >= 65536;
         rows_ = is_big_ && rows >= -most_rows_of_binary ? -rows : rows;
         if (columns_ < 1 || rows_ < 1 || columns_ > most_rows_of_binary || rows_ > most_rows_of_binary || type_ < 1 ||
             type_ > 4 || header.words_left() != 0)
             throw complaint("its first record is damaged", "it should hold columns, rows, form, type and name");
-        const MatrixRole role = role_of_name(name_);
-        is_wanted_ = rows_ == columns_ && role != MatrixRole::load;
-        if (is_wanted_ && type_ > 2) throw complaint("it is complex", "the matrices of a structure are real");
         ListedMatrix matrix{.file = file_,
                             .name = name_,
-                            .role = role,
+                            .role = role_of_name(name_),
                             .triangles = form == 6 ? Triangles::untold : Triangles::both,
-                            .rows = is_wanted_ ? static_cast<Eigen::Index>(rows_) : 0};
+                            .is_passed_over = rows_ != columns_ || type_ > 2,
+                            .rows = static_cast<Eigen::Index>(rows_)};
         while (read_column(matrix)) {
         }
         return matrix;
@@ -224,7 +221,7 @@ private:
                             fmt::format("it has {}", rows_));
         for (std::int64_t k = 0; k < count * (type_ > 2 ? 2 : 1); ++k) {
             const double value = record.real(static_cast<std::size_t>(words_per_real));
-            if (is_wanted_ && value != 0.0)
+            if (!matrix.is_passed_over && value != 0.0)
                 matrix.entries.emplace_back(static_cast<int>(run.first_row + k - 1), static_cast<int>(run.column - 1),
                                             value);
         }
@@ -240,7 +237,6 @@ private:
     std::int64_t rows_ = 0;
     std::int64_t type_ = 0;
     bool is_big_ = false;
-    bool is_wanted_ = false;
 };
 
 }  // namespace

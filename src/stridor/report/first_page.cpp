@@ -1,0 +1,225 @@
+#include "stridor/report/first_page.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/drawing/palette.hpp"
+#include "stridor/drawing/picture.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/pictures/noise_chart.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
+#include "stridor/pictures/parts/design_mark.hpp"
+#include "stridor/report/sketch.hpp"
+#include "stridor/report/structure_sketch.hpp"
+#include "stridor/report/verdict_words.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stridor::report {
+
+namespace {
+
+using advice::Advice;
+using classification::Verdict;
+
+constexpr std::size_t most_rows = 4;  // [1] of what to change, which leaves the page one page
+
+// "joint mass 0.1 → 0.135 kg (+35 %)"
+std::string step_words(std::string_view key, double from, double to) {
+    const std::string_view unit = parameters::unit_of(key);
+    std::string text = fmt::format("{} {:.4g} \u2192 {:.4g}{}{}", advice::quantity_words(key), from, to,
+                                   unit == "1" ? "" : "\u00A0", unit == "1" ? "" : unit);
+    const double percent = 100.0 * (to - from) / std::abs(from);
+    if (!std::isfinite(percent)) return text;
+    return text + (std::abs(percent) < 10.0 ? fmt::format(" ({:+.2g}\u00A0%)", percent)
+                                            : fmt::format(" ({:+.0f}\u00A0%)", percent));
+}
+
+std::string steps_words(const advice::DesignSpace& space, const advice::DesignChange& change) {
+    std::vector<std::string> words;
+    for (const advice::ParameterChange& each : change.set)
+        words.push_back(step_words(space.parameters[each.parameter].key, each.from, each.to));
+    return base::listed(words);
+}
+
+// the change of one quantity alone, the nearest that was looked at, with which a phase is quiet no more, or is quiet
+std::string margin_words(const Advice& advice, std::size_t phase) {
+    const bool was_quiet = advice::is_quiet_phase(advice.present, phase);
+    double nearest = std::numeric_limits<double>::infinity();
+    std::string words =
+        fmt::format("No change of one quantity alone that was looked at makes it {}", was_quiet ? "noisy" : "quiet");
+    for (const advice::ParameterMargin& margin : advice.margins) {
+        const auto look = [&](double share, double value, const advice::DesignVerdict& verdict) {
+            const double distance = std::abs(share - advice.space.origin[margin.parameter]);
+            const bool has_turned = advice::is_quiet_phase(verdict, phase) != was_quiet && !advice::is_invalid(verdict);
+            if (!has_turned || !(distance < nearest)) return;
+            nearest = distance;
+            words = fmt::format("Margin to {}: {}", was_quiet ? sweep::word(verdict.phases[phase]) : "quiet",
+                                step_words(advice.space.parameters[margin.parameter].key, margin.value, value));
+        };
+        for (const advice::ScanPoint& point : margin.scan)
+            look(point.share, point.value, point.verdict);
+        for (const advice::ScanSide* side : {&margin.below, &margin.above})
+            for (const auto* change : {&side->change, &side->quiet})
+                if (*change) look((*change)->share, (*change)->value, (*change)->beyond);
+    }
+    return words + ".";
+}
+
+std::vector<Badge> badges(const DesignResults& results) {
+    std::vector<Badge> badges;
+    for (std::size_t k = 0; k < results.verdicts.size(); ++k) {
+        const Verdict& verdict = results.verdicts[k];
+        const bool locks = verdict.quiet == classification::Quiet::locks;
+        const drawing::Fill fill = locks ? pictures::locked_fill() : pictures::category_fill(verdict.category);
+        const double frequency = verdict.evidence.alternation.frequency;
+        const bool is_noisy = verdict.category != classification::Category::none &&
+                              verdict.category != classification::Category::undecided;
+        const std::string tone = is_noisy && std::isfinite(frequency) ? fmt::format("{:.4g}\u00A0Hz. ", frequency) : "";
+        const std::string word(classification::word(verdict));
+        badges.push_back({phase_name(verdict), word == "none" ? "quiet" : word, drawing::hex(fill.colour),
+                          drawing::hex(drawing::text_colour_on(fill.colour)),
+                          tone + (results.advice ? margin_words(*results.advice, k) : "")});
+    }
+    return badges;
+}
+
+std::vector<Particular> facts(const DesignResults& results) {
+    std::vector<Particular> facts{
+        {"Part", results.part},
+        {"Author", results.author},
+        {"Date", results.date},
+        {"Case", results.file},
+        {"Made by", fmt::format("Stridor {} ({})", base::version(), base::commit().substr(0, 10))}};
+    std::erase_if(facts, [](const Particular& fact) { return fact.value.empty(); });
+    return facts;
+}
+
+// the picture alone: what it is about, and the case, stand elsewhere
+Section chart_section(const sweep::SweepResult& result, const std::string& words) {
+    drawing::Scene scene = pictures::noise_chart(result);
+    scene.title = {};
+    scene.caption.clear();
+    pictures::mark_design(scene, result.study);
+    const sweep::Study& study = result.study;
+    return {
+        "Where it is quiet",
+        {},
+        drawing::render(scene, drawing::Format::svg),
+        fmt::format("{} by {} cells in each direction, each run from {}, of which it shows what speaks most for "
+                    "noise. {}{}",
+                    study.x.points, study.y.points, start_words(study.starts),
+                    sweep::holds_design(study) ? "The diamond is the design." : "The design lies outside of the chart.",
+                    words.empty() ? words : " " + words)};
+}
+
+Section quiet_section(const Advice& advice) {
+    Section change{"What to change"};
+    if (advice.near && advice.near->turns.empty()) {
+        change.paragraphs.push_back(
+            fmt::format("Nothing: the design is quiet, and with {:g} % more or less of any one quantity, too.",
+                        100.0 * advice::looked_within));
+        return change;
+    }
+    change.paragraphs.push_back(
+        fmt::format("The design is quiet, but so close to noise that parts as they are made may not be: within {:g} % "
+                    "of one quantity it is quiet no more. Move it away from what the table names.",
+                    100.0 * advice::looked_within));
+    change.table.columns = {"with this alone"};
+    for (const std::string& words : advice::turn_words(advice.space, *advice.near))
+        if (change.table.rows.size() < most_rows) change.table.rows.push_back({words});
+    return change;
+}
+
+Section noisy_section(const Advice& advice) {
+    Section change{"What to change"};
+    if (advice.changes.empty()) {
+        change.paragraphs.emplace_back("No change within the ranges that were looked at was verified to be quiet.");
+        return change;
+    }
+    const std::size_t best = advice.recommended.value_or(0);
+    change.table.columns = {"", "change"};
+    change.table.rows.push_back({"advised", steps_words(advice.space, advice.changes[best])});
+    for (std::size_t k = 0; k < advice.changes.size() && change.table.rows.size() < most_rows; ++k)
+        if (k != best) change.table.rows.push_back({"or", steps_words(advice.space, advice.changes[k])});
+    change.paragraphs.push_back(fmt::format(
+        "All were run and are quiet, the advised one by {} runs: {}, with 1 % more and less of each value.{}",
+        advice.changes[best].runs, judged_words(advice.space),
+        change.table.rows.size() < advice.changes.size() ? " The smallest are shown; all stand further back." : ""));
+    return change;
+}
+
+// "contact.preload 6 +- 1.2 N"
+std::string tolerance_words(const std::vector<advice::Tolerance>& tolerances) {
+    std::vector<std::string> words;
+    for (const advice::Tolerance& each : tolerances)
+        words.push_back(fmt::format("{} {:.4g} \u00b1 {}", advice::quantity_words(each.key), each.value,
+                                    measured(each.key, each.tolerance)));
+    return base::listed(words);
+}
+
+Section change_section(const Advice& advice) {
+    Section section = advice::is_quiet(advice.present) ? quiet_section(advice) : noisy_section(advice);
+    if (advice.chance)
+        section.paragraphs.push_back(fmt::format(
+            "Chance of noise: {:.2g} % ({:.2g} to {:.2g} %, 95 % confidence, {} designs), where parts lie anywhere "
+            "within{} {}.",
+            100.0 * advice.chance->noise.share, 100.0 * advice.chance->noise.low, 100.0 * advice.chance->noise.high,
+            advice.chance->samples, advice.chance->is_default ? " these usual tolerances:" : "",
+            tolerance_words(advice.chance->tolerances)));
+    return section;
+}
+
+std::string foot(const parameters::Case& c) {
+    const bool has_several = parameters::contact_count(c) > 1;
+    const std::string model =
+        c.own_structure ? "a linear structure with " + std::string(has_several ? "points" : "one point") + " of contact"
+        : has_several   ? "joints on one plate, one point of contact each"
+                        : "one joint, one plate, one point of contact";
+    return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
+           model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
+           (has_several || c.own_structure ? "" : "several contacts ") +
+           "and the radiation of sound, is not in this verdict either.";
+}
+
+std::string sketch_caption(const parameters::Case& c) {
+    if (c.own_structure)
+        return "The model: " + c.own_structure->origin +
+               ", a linear structure with its contacts, on a surface that moves under it.";
+    return "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
+}
+
+}  // namespace
+
+Report first_page(const DesignResults& results) {
+    const parameters::Case& c = results.design;
+    Report page;
+    page.title = c.title.empty() ? "Rubbing contact" : c.title;
+    page.facts = facts(results);
+    page.headline = headline(results);
+    page.headline.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(page.headline.front())));
+    page.badges = badges(results);
+    for (const Verdict& verdict : results.verdicts)
+        page.lead.push_back(plain_words(verdict));
+    // several joints are wider than this place
+    if (c.further_joints.empty()) {
+        page.sketch = c.own_structure ? structure_sketch_svg(c) : sketch_svg(c);
+        page.sketch_caption = sketch_caption(c);
+    }
+    if (results.chart)
+        page.first.push_back(chart_section(*results.chart, results.about_chart));
+    else if (!results.about_chart.empty())
+        page.first.push_back({"Where it is quiet", {results.about_chart}});
+    if (results.advice)
+        page.first.push_back(change_section(*results.advice));
+    else if (!results.without_advice.empty())
+        page.first.push_back({"What to change", {results.without_advice}});
+    page.foot = foot(c);
+    return page;
+}
+
+}  // namespace stridor::report

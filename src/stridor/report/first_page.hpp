@@ -1,0 +1,14 @@
+#pragma once
+
+#include "stridor/report/design_results.hpp"
+#include "stridor/report/html.hpp"
+
+namespace stridor::report {
+
+/// Writes what is handed over alone: what the report is about, the headline, the verdict of each direction with the
+/// nearest change that ends it, the chart with the design's mark, and what to change. All else of the report is empty.
+///
+/// Throws `Error` (io) where a picture cannot be drawn: no font is installed.
+Report first_page(const DesignResults& results);
+
+}  // namespace stridor::report

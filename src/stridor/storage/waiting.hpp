@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+/// Waiting for somebody else, whom nobody can make hurry.
+namespace stridor::storage {
+
+/// What a wait listens to, and whom it tells.
+struct WaitOptions {
+    std::stop_token stop{};                                // ends it
+    std::function<void(const std::string& words)> note{};  // after a second: who is waited for, and how long at most
+};
+
+/// One wait: it has a bound, says after a second what it waits for, and ends on request.
+class Waiting {
+public:
+    /// Begins, with a bound.
+    Waiting(WaitOptions options, std::chrono::milliseconds longest) : options_(std::move(options)), longest_(longest) {}
+
+    /// Waits a moment, from a hundredth of a second on ever longer ones; false once the bound is reached. `whom` is
+    /// said after a second: "process 17 of host n2, which takes over the store". Throws `Error` (interrupted) on
+    /// request.
+    bool goes_on(const std::string& whom);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    WaitOptions options_;
+    std::chrono::milliseconds longest_;
+    std::chrono::milliseconds moment_{10};
+    Clock::time_point begun_ = Clock::now();
+    bool has_told_ = false;
+};
+
+/// Looks on, by the clock of this machine, for how long something stays as it is.
+class Unchanged {
+public:
+    /// Tells how long what is looked at has been in this state; `std::nullopt` where that changed since the last look.
+    std::optional<std::chrono::steady_clock::duration> look(const std::string& state);
+
+private:
+    std::string state_{};  // empty: not looked at yet
+    std::chrono::steady_clock::time_point since_{};
+};
+
+}  // namespace stridor::storage
