@@ -1,5 +1,7 @@
 #include "golden/results.hpp"
 
+#include "golden/many_contacts.hpp"
+#include "golden/motion_values.hpp"
 #include "golden/values.hpp"
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/base/elementary.hpp"
@@ -31,75 +33,6 @@ using parameters::Engine;
 using parameters::ImpactKind;
 using parameters::PaperCase;
 
-void add(Values& values, const record::Tally& tally) {
-    values.add("time", tally.contacts.front().time);
-    values.add("judged_time", tally.contacts.front().judged_time);
-    for (const record::Instants& instants : tally.contacts.front().changes) {
-        values.add("changes", instants.count);
-        values.add("instant", instants.times);
-    }
-    for (const auto* vibrations : {&tally.vibration, &tally.closing_vibration})
-        for (const record::Vibration& vibration : *vibrations) {
-            values.add("square_time", vibration.square_time);
-            values.add("peak_square", vibration.peak_square);
-        }
-    values.add("vibration_time", tally.vibration_time);
-    values.add("closing_time", tally.closing_time);
-    values.add("releases", tally.contacts.front().releases);
-    values.add("state", tally.contacts.front().ending.state);
-    values.add("since", tally.contacts.front().ending.since);
-    values.add("future", tally.contacts.front().ending.outlook.future);
-    values.add("future_from", tally.contacts.front().ending.outlook.from);
-    values.add("release", tally.contacts.front().ending.outlook.release);
-}
-
-void add(Values& values, const classification::Verdict& verdict) {
-    values.add("category", name(verdict.category));
-    values.add("quiet", name(verdict.quiet));
-    const analysis::Evidence& evidence = verdict.evidence;
-    values.add("regularity", evidence.alternation.regularity);
-    values.add("repetition", evidence.alternation.repetition);
-    values.add("variation", evidence.alternation.variation);
-    values.add("lag", evidence.alternation.lag);
-    values.add("period", evidence.alternation.period);
-    values.add("frequency", evidence.alternation.frequency);
-    for (const analysis::Level& level : {evidence.levels.joint, evidence.levels.plate}) {
-        values.add("rms", level.rms);
-        values.add("peak", level.peak);
-        values.add("decibels", level.decibels);
-    }
-    for (const classification::Margin& margin : verdict.margins)
-        values.add("distance", margin.distance);
-}
-
-void add(Values& values, const record::Trace& trace) {
-    values.add("sample", trace.time);
-    for (const auto* motions : {&trace.displacement, &trace.velocity, &trace.acceleration})
-        for (const std::vector<double>& motion : *motions)
-            values.add("motion", motion);
-    values.add("normal_force", trace.contacts.front().normal_force);
-    values.add("friction_force", trace.contacts.front().friction_force);
-    values.add("gap", trace.contacts.front().gap);
-}
-
-void add(Values& values, const integration::Motion& motion) {
-    values.add("reason", motion.outcome.reason);
-    values.add("time", motion.outcome.time);
-    const integration::EnergyBalance& energy = motion.energy;
-    for (const double term : {energy.stored, energy.preload_work, energy.drive_work, energy.dashpot_loss,
-                              energy.friction_loss, energy.impact_loss, energy.residual, energy.held})
-        values.add("energy", term);
-    if (motion.silence) values.add("silence", motion.silence->time);
-    if (motion.cycle) values.add("cycle", motion.cycle->period);
-    for (const record::ContactInterval& interval : motion.record.histories.front()) {
-        values.add("interval", interval.state);
-        values.add("from", interval.from);
-        values.add("slip_velocity", interval.slip_velocity);
-        values.add("gap_velocity", interval.gap_velocity);
-    }
-    add(values, motion.record.trace);
-}
-
 enum class Keep { everything, tallies };
 
 // with nothing kept but the tallies, a run under a constant drive may end early
@@ -117,9 +50,14 @@ Result run(std::string name, const Case& c, integration::InstructionSet set, Kee
     const integration::Motion motion = integration::simulate(c, request_of(c, keep), {}, workspace);
     Values values;
     add(values, motion);
+    add(values, motion.record.histories.front());
+    add_motion(values, motion.record.trace);
+    add(values, motion.record.trace.contacts.front());
     std::string extract = std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]);
     for (const record::Tally& tally : motion.record.phases) {
-        add(values, tally);
+        add(values, tally.contacts.front());
+        add_vibration(values, tally);
+        add_ending(values, tally.contacts.front());
         const analysis::Evidence evidence = analysis::evidence(tally, 0);
         const classification::Verdict verdict = classification::classify(evidence, c.verdict);
         add(values, verdict);
@@ -301,6 +239,8 @@ std::vector<Result> results(integration::InstructionSet set) {
     add_run("impact.restitution.exact", bouncing(ImpactKind::restitution));
     add_run("joints.locked", short_joints(60.0));
     add_run("joints.impacts", short_joints(110.0));
+    for (Result& result : results_of_many_contacts())
+        all.push_back(std::move(result));
     all.push_back(chart("chart.plain", pair()));
     all.push_back(chart("chart.refined", refined_with_starts()));
     all.push_back(stability());

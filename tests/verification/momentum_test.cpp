@@ -4,6 +4,7 @@
 
 #include "stridor/integration/simulate.hpp"
 #include "support/effort.hpp"
+#include "support/massless_feet.hpp"
 #include "support/random_structures.hpp"
 
 #include <gtest/gtest.h>
@@ -11,17 +12,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stridor {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using integration::Motion;
 using parameters::Case;
 using parameters::Engine;
@@ -65,36 +59,10 @@ TEST(Momentum, OfEveryBodyIsWhatItsContactsPushBySteps) {
     EXPECT_GT(separating, support::effort(10, 0));
 }
 
-// each contact touches by a foot without mass, a spring of 1e7 N/m along and across
-Case on_feet(Case c) {
-    parameters::OwnStructure own = *c.own_structure;
-    const auto rows = static_cast<Index>(own.row.size());
-    const auto feet = static_cast<Index>(2 * own.contacts.size());
-    MatrixXd mass = MatrixXd::Zero(rows + feet, rows + feet), stiffness = mass;
-    mass.topLeftCorner(rows, rows) = Eigen::Map<const MatrixXd>(own.mass.data(), rows, rows);
-    stiffness.topLeftCorner(rows, rows) = Eigen::Map<const MatrixXd>(own.stiffness.data(), rows, rows);
-    for (Index foot = 0; foot < feet; ++foot) {
-        parameters::OwnContact& contact = own.contacts[static_cast<std::size_t>(foot / 2)];
-        std::vector<double>& direction = foot % 2 == 0 ? contact.normal : contact.tangent;
-        VectorXd spring = VectorXd::Zero(rows + feet);
-        spring.head(rows) = Eigen::Map<const VectorXd>(direction.data(), rows);
-        spring(rows + foot) = -1.0;
-        stiffness += 1e7 * spring * spring.transpose();
-        direction.assign(static_cast<std::size_t>(rows + feet), 0.0);
-        direction[static_cast<std::size_t>(rows + foot)] = 1.0;
-        own.row.push_back("foot" + std::to_string(foot + 1));
-    }
-    own.mass = support::numbers_of(mass);
-    own.stiffness = support::numbers_of(stiffness);
-    c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
-    c.run.initial = parameters::Initial::rest;
-    return c;
-}
-
 TEST(Momentum, OfEveryBodyIsWhatItsContactsWithoutInertiaPush) {
     for (std::uint64_t number = 0; number < support::effort<std::uint64_t>(30, 3); ++number) {
-        const Balance balance =
-            momentum(on_feet(judged_late(number, Engine::moreau, Formulation::massless)), 1e-6, number);
+        const Balance balance = momentum(
+            support::on_massless_feet(judged_late(number, Engine::moreau, Formulation::massless)), 1e-6, number);
         EXPECT_LT(balance.residual, support::trapezoids * balance.impulses) << number;
     }
 }
