@@ -70,6 +70,14 @@ bool same_sequence(const record::ContactHistory& a, const record::ContactHistory
                       });
 }
 
+// the same states, at instants that differ by this much [s] at most
+bool near_history(const record::ContactHistory& a, const record::ContactHistory& b, double most) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](const record::ContactInterval& x, const record::ContactInterval& y) {
+                          return x.state == y.state && std::abs(x.from - y.from) <= most;
+                      });
+}
+
 bool same_times(const record::Record& a, const record::Record& b) {
     return std::equal(a.phases.begin(), a.phases.end(), b.phases.begin(), b.phases.end(),
                       [](const record::Tally& x, const record::Tally& y) {
@@ -97,22 +105,23 @@ TEST_P(EngineContract, StaysAtRestWhenNothingMoves) {
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = 0.0;
     c.run.duration = c.run.window = 0.02;
-    const Motion motion = integration::simulate(c, everything(c));
+    const Motion motion = moved(c, everything(c));
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
     ASSERT_EQ(motion.record.histories.front().size(), 1U);
     EXPECT_EQ(motion.record.histories.front().front().state, ContactState::stick);
     // forces of 20 N at rounding, against 1e6 N/m: 20 1e-16 / 1e6
+    const double force = 20.0 * GetParam().force_share;
     for (const std::vector<double>& displacement : motion.record.trace.displacement)
         for (const double u : displacement)
-            ASSERT_LT(std::abs(u), 1e-20);
+            ASSERT_LT(std::abs(u), 1e-20 + force / 1e6);
     // (F - F) / h^2 in a scheme with steps: displacements of 1e-21 m times m / h^2
     for (const double N : motion.record.trace.contacts.front().normal_force)
-        ASSERT_NEAR(N, 20.0, 1e-8);
+        ASSERT_NEAR(N, 20.0, 1e-8 + force);
 }
 
 TEST_P(EngineContract, ObeysCoulombAndUnilateralContactAtEveryInstant) {
     for (const Case& c : noisy_cases(GetParam())) {
-        const Motion motion = integration::simulate(c, everything(c));
+        const Motion motion = moved(c, everything(c));
         const record::Trace& trace = motion.record.trace;
         ASSERT_GT(trace.time.size(), 1000U);
         for (std::size_t k = 0; k < trace.time.size(); ++k) {
@@ -138,7 +147,7 @@ TEST_P(EngineContract, ObeysCoulombAndUnilateralContactAtEveryInstant) {
 
 TEST_P(EngineContract, BalancesItsEnergy) {
     for (const Case& c : noisy_cases(GetParam())) {
-        const Motion motion = integration::simulate(c);
+        const Motion motion = moved(c);
         EXPECT_LT(std::abs(motion.energy.relative_residual()), GetParam().energy_tolerance) << c.title;
         EXPECT_GT(motion.energy.dashpot_loss, 0.0);
         EXPECT_GT(motion.energy.friction_loss, 0.0);
@@ -150,7 +159,7 @@ TEST_P(EngineContract, BalancesItsEnergy) {
 
 TEST_P(EngineContract, RecordsAHistoryThatTilesTheRun) {
     for (const Case& c : noisy_cases(GetParam())) {
-        const Motion motion = integration::simulate(c, everything(c));
+        const Motion motion = moved(c, everything(c));
         const record::ContactHistory& history = motion.record.histories.front();
         ASSERT_FALSE(history.empty());
         EXPECT_EQ(history.front().from, 0.0);
@@ -175,7 +184,7 @@ TEST_P(EngineContract, HasNoResultOnceCancelled) {
     c.run.window = 1.0;
     std::stop_source source;
     source.request_stop();
-    const Motion motion = integration::simulate(c, {}, source.get_token());
+    const Motion motion = moved(c, {}, source.get_token());
     EXPECT_EQ(motion.outcome.reason, Reason::cancelled);
     EXPECT_FALSE(integration::has_result(motion.outcome));
     EXPECT_LT(motion.outcome.time, 10.0);
@@ -184,11 +193,11 @@ TEST_P(EngineContract, HasNoResultOnceCancelled) {
 TEST_P(EngineContract, IsNotRunBeyondItsStepLimit) {
     Case c = with(GetParam(), {});
     if (GetParam().unstable_step == 0.0) {
-        EXPECT_EQ(integration::cost(c).step_limit, std::numeric_limits<double>::infinity());
+        EXPECT_EQ(integration::cost(solved(c)).step_limit, std::numeric_limits<double>::infinity());
         return;
     }
     c.run.step = GetParam().unstable_step;
-    const Motion motion = integration::simulate(c, everything(c));
+    const Motion motion = moved(c, everything(c));
     EXPECT_EQ(motion.outcome.reason, Reason::step_limit);
     EXPECT_EQ(motion.outcome.time, 0.0);
     EXPECT_TRUE(motion.record.histories.front().empty());
@@ -198,10 +207,11 @@ TEST_P(EngineContract, IsNotRunBeyondItsStepLimit) {
 // forces of K V / omega beyond 1e308 N: no number is left, and that is said
 TEST_P(EngineContract, SaysWhenANumberLeavesDoublePrecision) {
     Case c = with(GetParam(), {});
+    if (!GetParam().starts_stuck) c.contact.preload = 1e305;  // what slides at once is not dragged along
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = 1e305;
     c.run.initial = parameters::Initial::stuck;
-    const Motion motion = integration::simulate(c);
+    const Motion motion = moved(c);
     EXPECT_EQ(motion.outcome.reason, Reason::diverged);
     EXPECT_FALSE(integration::has_result(motion.outcome));
     EXPECT_LE(motion.outcome.time, c.run.duration);
@@ -212,8 +222,8 @@ TEST_P(EngineContract, SaysWhenANumberLeavesDoublePrecision) {
 TEST_P(EngineContract, RepeatsItselfBitForBit) {
     rc::detail::checkGTest([&] {
         const Case c = with(GetParam(), support::any_sinusoidal_case());
-        const Motion first = integration::simulate(c, everything(c));
-        const Motion second = integration::simulate(c, everything(c));
+        const Motion first = moved(c, everything(c));
+        const Motion second = moved(c, everything(c));
         RC_ASSERT(same_history(first.record.histories.front(), second.record.histories.front()));
         RC_ASSERT(same_trace(first.record.trace, second.record.trace));
         RC_ASSERT(first.energy.residual == second.energy.residual);
@@ -226,11 +236,10 @@ TEST_P(EngineContract, GivesTheSameBitsInEveryThread) {
     {
         std::vector<std::jthread> threads;
         for (std::size_t k = 0; k < cases.size(); ++k)
-            threads.emplace_back([&, k] { apart[k] = integration::simulate(cases[k], everything(cases[k])); });
+            threads.emplace_back([&, k] { apart[k] = moved(cases[k], everything(cases[k])); });
     }
     for (std::size_t k = 0; k < cases.size(); ++k)
-        EXPECT_TRUE(
-            same_trace(integration::simulate(cases[k], everything(cases[k])).record.trace, apart[k].record.trace));
+        EXPECT_TRUE(same_trace(moved(cases[k], everything(cases[k])).record.trace, apart[k].record.trace));
 }
 
 // what is kept of a run, and which part of it is looked at, changes nothing in the motion
@@ -238,14 +247,19 @@ TEST_P(EngineContract, MovesAlikeHoweverItIsWatched) {
     rc::detail::checkGTest([&] {
         Case c = with(GetParam(), support::any_sinusoidal_case());
         c.run.duration = c.run.window = 0.03;
-        const Motion whole = integration::simulate(c, {KeepHistory::yes, {}});
-        const Motion traced = integration::simulate(c, {KeepHistory::yes, {0.0007, 0.021, 1.3e-5}});
+        const Motion whole = moved(c, {KeepHistory::yes, {}});
+        const Motion traced = moved(c, {KeepHistory::yes, {0.0007, 0.021, 1.3e-5}});
         RC_ASSERT(same_history(whole.record.histories.front(), traced.record.histories.front()));
         RC_ASSERT(same_times(whole.record, traced.record));
         RC_ASSERT(whole.energy.residual == traced.energy.residual);
         c.run.window = *support::number_between(0.021, 0.03);
         c.verdict.settling = *support::number_between(0.0, 0.5);
-        const Motion cut = integration::simulate(c, {KeepHistory::yes, {}});
+        const Motion cut = moved(c, {KeepHistory::yes, {}});
+        if (GetParam().change_moves > 0.0) {
+            RC_ASSERT(
+                near_history(whole.record.histories.front(), cut.record.histories.front(), GetParam().change_moves));
+            return;
+        }
         RC_ASSERT(same_history(whole.record.histories.front(), cut.record.histories.front()));
         RC_ASSERT(whole.energy.stored == cut.energy.stored);
     });
@@ -255,9 +269,8 @@ TEST_P(EngineContract, MovesAlikeHoweverItIsWatched) {
 TEST_P(EngineContract, SamplesAlikeHoweverLongTheTrace) {
     const Case c = noisy_cases(GetParam()).front();
     const double interval = 16.0 * c.run.step;
-    const record::Trace all = integration::simulate(c, {KeepHistory::no, {0.0, c.run.duration, interval}}).record.trace;
-    const record::Trace part =
-        integration::simulate(c, {KeepHistory::no, {250.0 * interval, 500.0 * interval, interval}}).record.trace;
+    const record::Trace all = moved(c, {KeepHistory::no, {0.0, c.run.duration, interval}}).record.trace;
+    const record::Trace part = moved(c, {KeepHistory::no, {250.0 * interval, 500.0 * interval, interval}}).record.trace;
     ASSERT_GT(part.time.size(), 100U);
     for (std::size_t k = 0; k < part.time.size(); ++k) {
         const auto same = std::find(all.time.begin(), all.time.end(), part.time[k]);
@@ -275,8 +288,8 @@ TEST_P(EngineContract, MirrorsBitForBit) {
         Case mirrored = c;
         mirrored.joint.incidence_angle = 180.0 - c.joint.incidence_angle;
         mirrored.drive.velocity = -c.drive.velocity;
-        const Motion here = integration::simulate(c, everything(c));
-        const Motion there = integration::simulate(mirrored, everything(mirrored));
+        const Motion here = moved(c, everything(c));
+        const Motion there = moved(mirrored, everything(mirrored));
         RC_ASSERT(same_times(here.record, there.record));
         RC_ASSERT(same_sequence(here.record.histories.front(), there.record.histories.front()));
         RC_ASSERT(there.record.trace.displacement[0] == scaled(here.record.trace.displacement[0], -1.0));
@@ -297,8 +310,8 @@ TEST_P(EngineContract, ScalesWithPreloadAndDriveBitForBit) {
         larger.contact.preload *= factor;
         larger.drive.velocity *= factor;
         larger.drive.amplitude *= factor;
-        const Motion here = integration::simulate(c, everything(c));
-        const Motion there = integration::simulate(larger, everything(larger));
+        const Motion here = moved(c, everything(c));
+        const Motion there = moved(larger, everything(larger));
         RC_ASSERT(same_times(here.record, there.record));
         RC_ASSERT(same_sequence(here.record.histories.front(), there.record.histories.front()));
         for (std::size_t dof = 0; dof < 3; ++dof)
@@ -315,10 +328,10 @@ TEST_P(EngineContract, UprightJointIsPressedByThePreloadAlone) {
     c.joint.incidence_angle = 90.0;
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = c.run.window = 0.05;
-    const Motion motion = integration::simulate(c, everything(c));
+    const Motion motion = moved(c, everything(c));
     EXPECT_EQ(motion.record.phases.front().contacts.front().time[model::index_of(ContactState::separation)], 0.0);
     for (const double N : motion.record.trace.contacts.front().normal_force)
-        ASSERT_NEAR(N, 200.0, 1e-6);  // displacements of 1e-19 m times m / h^2
+        ASSERT_NEAR(N, 200.0, 1e-6 + 200.0 * GetParam().force_share);  // displacements of 1e-19 m times m / h^2
 }
 
 }  // namespace

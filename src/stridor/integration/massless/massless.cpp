@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -189,8 +190,10 @@ Motion integrate_massless(const model::Structure& structure, const parameters::D
     MasslessStructure massless = massless_structure(structure, settings.above);
     if (settings.step >= longest_step(massless)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MasslessRun runner(structure, std::move(massless), drive, start, settings.step, recorder);
-    const Outcome outcome = runner.run(stop);
-    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+    const Outcome ended = runner.run(stop);
+    const EnergyBalance balance = runner.energy();
+    const Outcome outcome = weighed(ended, balance, std::numeric_limits<double>::infinity());
+    return {outcome, balance, recorder.finish(outcome.time)};
 }
 
 }  // namespace stridor::integration

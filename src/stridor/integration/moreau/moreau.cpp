@@ -277,8 +277,10 @@ Motion integrate_moreau(const model::Structure& structure, const parameters::Dri
     ModalStructure modal = modal_structure(structure);
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);
-    const Outcome outcome = runner.run(stop);
-    Motion motion{outcome, runner.energy(), recorder.finish(outcome.time, runner.outlooks(outcome))};
+    const Outcome ended = runner.run(stop);
+    const EnergyBalance balance = runner.energy();
+    const Outcome outcome = weighed(ended, balance, std::numeric_limits<double>::infinity());
+    Motion motion{outcome, balance, recorder.finish(outcome.time, runner.outlooks(outcome))};
     motion.pressed = runner.pressed();
     return motion;
 }

@@ -1,0 +1,23 @@
+#include "contract/engine_contract.hpp"
+#include "contract/joint_as_structure.hpp"
+
+namespace stridor::contract {
+namespace {
+
+void choose_taylor(parameters::Case& c) {
+    c.run.engine = parameters::Engine::exact;
+    c.run.step = 2e-6;  // where the suite samples its traces
+}
+
+// Terms of the balance are sums over blocks of states known to rounding. Blocks end where judged spans do, so that these
+// move instants by rounding, which grows through impacts.
+const EngineUnderTest taylor{.name = "taylor",
+                             .choose = choose_taylor,
+                             .energy_tolerance = 1e-10,
+                             .as_solved = as_own_structure,
+                             .change_moves = 1e-9};
+
+INSTANTIATE_TEST_SUITE_P(Taylor, EngineContract, testing::Values(taylor), testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace stridor::contract
