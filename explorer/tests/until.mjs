@@ -1,7 +1,7 @@
 // Waiting in tests: for a condition, never for a time. This is the one place that lets time pass.
 
 /** What `find` gives once that is something (not null, undefined or false); asked every so often [ms]. */
-export async function until(find, what, { limit = 120_000, every = 20 } = {}) {
+export async function until(find, what, { limit = 600_000, every = 20 } = {}) {
   const end = Date.now() + limit;
   for (;;) {
     const found = await find();

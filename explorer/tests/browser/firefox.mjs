@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { until } from "../until.mjs";
 
-const patience = 120_000; // [ms] for a Firefox that starts on a busy machine
+const patience = 600_000; // [ms] for a Firefox that starts on a busy machine
 
 /** The lines of user.js: any free port, and no talk with anybody but the page. */
 const preferences = {

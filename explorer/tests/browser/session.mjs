@@ -63,7 +63,7 @@ export async function openPage(explorer, options = {}) {
   const sins = [];
   const page = context.pages()[0] ?? (await context.newPage());
   // nothing here is timed: a machine that does something else beside is waited for
-  context.setDefaultTimeout(120_000);
+  context.setDefaultTimeout(600_000);
   page.on("console", (message) => {
     if (message.type() === "error" || message.type() === "warning") sins.push(`console: ${message.text()}`);
   });
