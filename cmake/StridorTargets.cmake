@@ -156,9 +156,9 @@ function(stridor_program name)
     set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
 endfunction()
 
-# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast).
-# Under sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they
-# test, and cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
+# A GoogleTest executable NAME_test, which is one CTest, `NAME`, with one LABEL (default: fast): a start for each of its
+# cases would cost more than most of what they test, and cases that share a simulation make it once. In a debug build
+# each case is a CTest of its own. The longest (COST, what it takes under sanitizers) start first.
 # Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR (a string literal), and, with
 # PROGRAM, start the built program (support/process.hpp). Tests of what runs on several threads (THREADS) are built
 # by the target thread_tests, and have the label `threads` as well under sanitizers: the thread sanitizer runs these
@@ -170,7 +170,7 @@ function(stridor_test name)
         set(ARG_LABEL fast)
     endif()
     if(NOT ARG_TIMEOUT)
-        set(ARG_TIMEOUT 600)
+        set(ARG_TIMEOUT 1200)
     endif()
     if(NOT ARG_COST)
         set(ARG_COST 1)
@@ -196,26 +196,29 @@ function(stridor_test name)
     else()
         add_dependencies(module_tests ${target})
     endif()
+    if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+        gtest_discover_tests(${target}
+            DISCOVERY_MODE PRE_TEST
+            DISCOVERY_TIMEOUT 60
+            PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+        return()
+    endif()
+    set(environment "")
     if(STRIDOR_SANITIZED)
         if(ARG_THREADS)
             list(APPEND ARG_LABEL threads)
         endif()
-        add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
-        set(environment
+        list(APPEND environment
             "LSAN_OPTIONS=print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/support/leak_sanitizer.supp")
         if(ARG_PROGRAM)
             # looking at frames that returned costs the program a fifth of its time;
             # tests of modules do (CMakePresets.json)
             list(APPEND environment "ASAN_OPTIONS=strict_string_checks=1")
         endif()
-        set_tests_properties(${name} PROPERTIES
-            LABELS "${ARG_LABEL}" TIMEOUT 1200 COST ${ARG_COST} ENVIRONMENT "${environment}")
-        return()
     endif()
-    gtest_discover_tests(${target}
-        DISCOVERY_MODE PRE_TEST
-        DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+    add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
+    set_tests_properties(${name} PROPERTIES
+        LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST} ENVIRONMENT "${environment}")
 endfunction()
 
 # A small program that teaches; CTest runs it as example.NAME in its own folder. Without DEPENDS it gets every module.
