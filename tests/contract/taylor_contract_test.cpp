@@ -9,8 +9,8 @@ void choose_taylor(parameters::Case& c) {
     c.run.step = 2e-6;  // where the suite samples its traces
 }
 
-// Terms of the balance are sums over blocks of states known to rounding. Blocks end where judged spans do, so that these
-// move instants by rounding, which grows through impacts.
+// Terms of the balance are sums over blocks of states known to rounding. Blocks end where judged spans do: these move
+// instants by rounding, which grows through impacts.
 const EngineUnderTest taylor{.name = "taylor",
                              .choose = choose_taylor,
                              .energy_tolerance = 1e-10,

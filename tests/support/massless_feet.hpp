@@ -14,8 +14,8 @@
 
 namespace stridor::support {
 
-/// Returns a structure of one's own whose contacts touch by feet without mass, each on a spring of 1e7 N/m along and one
-/// across. It starts at rest: what has no inertia has no other start.
+/// Returns a structure of one's own whose contacts touch by feet without mass, each on a spring of 1e7 N/m along and
+/// one across. It starts at rest: what has no inertia has no other start.
 inline parameters::Case on_massless_feet(parameters::Case c) {
     using Eigen::Index;
     using Eigen::MatrixXd;
