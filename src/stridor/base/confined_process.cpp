@@ -156,6 +156,8 @@ bool confine(const Confines& confines) {
 
 [[noreturn]] void work_and_exit(int channel, const Confines& confines,
                                 const std::function<void(const ConfinedProcess::Channel&)>& work) {
+    // nobody hears what it answers to a process that has ended
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // what this program does on a signal is not the copy's business
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGXCPU})
         std::signal(signal, SIG_DFL);

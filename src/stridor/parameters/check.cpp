@@ -9,6 +9,7 @@
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace stridor::parameters {
@@ -19,6 +20,8 @@ using base::shortest;
 
 // of a phase: less than this rest is not told from nothing
 constexpr double most_cut = 1.0 - 1e-9;
+// [m/s] of a sampled drive; above it are overloads, and energies that say nothing
+constexpr double fastest_sample = 1e6;
 // of an engine with steps in a stretch that is judged
 constexpr double least_steps = 10.0;
 
@@ -154,6 +157,14 @@ void check_samples(const Case& c, std::vector<Finding>& found) {
                   shortest(times[k]) + " s follows " + shortest(times[k - 1]) + " s", "Sort the CSV file by time."}});
             return;
         }
+    const auto fast = std::find_if(c.drive.velocities.begin(), c.drive.velocities.end(),
+                                   [](double velocity) { return !(std::abs(velocity) <= fastest_sample); });
+    if (fast != c.drive.velocities.end())
+        found.push_back({"drive.file",
+                         {"sample " + std::to_string(fast - c.drive.velocities.begin() + 1) +
+                              " of the sampled drive is " + shortest(*fast) + " m/s",
+                          "no surface moves faster than " + shortest(fastest_sample) + " m/s",
+                          "Is it an overload, or a mark for no value?"}});
     if (static_cast<double>(times.size()) > most_samples)
         found.push_back({"drive.file",
                          {"the sampled drive has " + std::to_string(times.size()) + " samples",

@@ -95,6 +95,7 @@ CondensedPart::CondensedPart(const ElasticPart& part, const std::vector<Index>& 
       inner_stiffness_(block(part.stiffness, parting_, RowKind::interior, RowKind::interior)),
       inner_mass_(block(part.mass, parting_, RowKind::interior, RowKind::interior)),
       stiffness_(block(part.stiffness, parting_, RowKind::boundary, RowKind::boundary)) {
+    expect_stiff(part, 0.0);
     constraint_.resize(inner_stiffness_.rows(), stiffness_.rows());
     if (constraint_.rows() == 0) return;
     factor_ = std::make_unique<SparseFactor>(inner_stiffness_, inner_mass_, 0.0, by);

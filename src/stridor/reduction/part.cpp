@@ -10,7 +10,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <span>
 
 namespace stridor::reduction {
 
@@ -179,6 +181,15 @@ void expect_sound(const ElasticPart& part, LinearSolver by) {
     expect_symmetric(part, part.mass, "mass");
     if (part.damping.rows() != 0) expect_symmetric(part, part.damping, "damping");
     expect_positive_mass(part, by);
+}
+
+void expect_stiff(const ElasticPart& part, double least) {
+    double largest = 0.0;
+    for (const double each : std::span(part.stiffness.valuePtr(), static_cast<std::size_t>(part.stiffness.nonZeros())))
+        largest = std::max(largest, std::abs(each));
+    if (!(largest > least))
+        refuse_part("the part has no stiffness", fmt::format("its largest entry is {}", base::shortest(largest)),
+                    "Is it the stiffness matrix?");
 }
 
 const std::vector<UnitSystem>& unit_systems() {

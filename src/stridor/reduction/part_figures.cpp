@@ -199,13 +199,7 @@ std::string units_doubt(const PartSize& size, const UnitSystem& units) {
 
 PartVibration part_vibration(const ElasticPart& part, Eigen::Index count, LinearSolver by) {
     PartVibration vibration;
-    constexpr double least_stiffness = 1e-150;  // [N/m] squares of less leave double precision
-    double largest = 0.0;
-    for (const double each : std::span(part.stiffness.valuePtr(), static_cast<std::size_t>(part.stiffness.nonZeros())))
-        largest = std::max(largest, std::abs(each));
-    if (!(largest > least_stiffness))
-        base::refuse("the part has no stiffness", fmt::format("its largest entry is {}", base::shortest(largest)),
-                     "Is it the stiffness matrix?");
+    expect_stiff(part);
     const double highest = highest_squared(part.stiffness, part.mass, by);
     vibration.highest_frequency = std::isfinite(highest) ? frequency_of(highest) : highest;
     const Modes modes = lowest_modes(part.stiffness, part.mass, count + most_rigid, by);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cerrno>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -41,6 +42,24 @@ std::string read_all(int descriptor, const std::string& path) {
     }
 }
 
+// A pipe that nobody reads yet is waited for, with a bound; a signal ends the wait.
+int open_device(const std::string& path, bool is_pipe) {
+    constexpr int moments = 1000;
+    constexpr timespec moment{0, 10'000'000};
+    for (int waited = 0;; ++waited) {
+        const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | (is_pipe ? O_NONBLOCK : 0));
+        if (descriptor >= 0) {
+            if (is_pipe) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+            return descriptor;
+        }
+        if (errno != ENXIO || !is_pipe) throw failure("write", path, errno);
+        if (waited == moments) throw failure("write", path, ENXIO, "Nobody reads this pipe: start its reader first.");
+        if (::nanosleep(&moment, nullptr) != 0)
+            throw Error(ErrorKind::interrupted, {"stopped while it waited for a reader of " + in_quotes(path),
+                                                 "nothing has been written", "Run the same command again."});
+    }
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -59,8 +78,7 @@ public:
         if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
         // renaming onto a device or a pipe would replace it
         if (exists && !S_ISREG(status.st_mode)) {
-            device_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-            if (!device_->is_open()) throw failure("write", path, errno);
+            device_.emplace(open_device(path, S_ISFIFO(status.st_mode)));
             return;
         }
         std::error_code code;

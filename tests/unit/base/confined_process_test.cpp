@@ -2,11 +2,14 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <new>
 #include <string>
@@ -31,6 +34,29 @@ std::vector<int> answers_of(const Confines& confines, const std::function<void(c
         answers.push_back(number);
     ending = process.ending();
     return answers;
+}
+
+// what works on for nobody would keep memory and a processor
+TEST(ConfinedProcess, EndsWithTheProcessThatBeganIt) {
+    ASSERT_EQ(::prctl(PR_SET_CHILD_SUBREAPER, 1), 0);  // an orphan comes to this process
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+        ConfinedProcess process({}, [](const Channel& channel) {
+            say(channel, 1);
+            for (std::atomic<unsigned> turn{0};;)
+                ++turn;
+        });
+        int number = 0;
+        process.receive(std::as_writable_bytes(std::span(&number, 1)));
+        ::_exit(number);  // no destructor ends it
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(parent, &status, 0), parent);
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_GT(::waitpid(-1, &status, 0), 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), SIGKILL);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(ConfinedProcess, AnswersWhatItIsAsked) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,14 @@ TEST(Findings, KineticFrictionMayNotExceedStaticTheOtherWayEither) {
     expect_finding(c, "contact.kinetic_friction_coming", "mu_dc = 0.6 exceeds mu_sc = 0.3");
     c.contact.kinetic_friction_coming = 0.3;
     EXPECT_TRUE(findings(c).empty());
+}
+
+TEST(Findings, NoSampledDriveIsFasterThanAnySurface) {
+    for (const double velocity : {1e15, -1e200, std::numeric_limits<double>::infinity()}) {
+        Case c = sampled_case();
+        c.drive.velocities.at(1) = velocity;
+        expect_finding(c, "drive.file", "sample 2 of the sampled drive is");
+    }
 }
 
 TEST(Findings, AConstantDriveMustMove) {

@@ -1,5 +1,6 @@
 #include "stridor/reduction/part_figures.hpp"
 
+#include "stridor/reduction/craig_bampton.hpp"
 #include "support/error_text.hpp"
 #include "support/structures/lattice_part.hpp"
 
@@ -31,6 +32,13 @@ TEST(PartVibration, RefusesAPartWithoutStiffness) {
         EXPECT_EQ(thrown.kind, ErrorKind::input);
         EXPECT_TRUE(thrown.says("the part has no stiffness")) << thrown.message;
     }
+}
+
+TEST(CraigBampton, RefusesAPartWithoutStiffness) {
+    const ElasticPart part = chain_part(70, 0.0, 0.5);
+    const auto thrown = support::thrown_by([&] { craig_bampton(part, {.boundary = {0}, .modes = 3}); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_TRUE(thrown.says("the part has no stiffness")) << thrown.message;
 }
 
 TEST(PartSize, GuessesTheUnits) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -192,6 +193,25 @@ TEST(AtomicFile, SaysThatTheDiskIsFull) {
     const auto error = error_of([] { write_file("/dev/full", "x"); });
     expect_error(error, "cannot write \"/dev/full\" (the disk is full)", "");
     EXPECT_EQ(error->kind(), ErrorKind::io);
+}
+
+TEST(AtomicFile, IsNotWaitedForInAPipeOnceASignalCame) {
+    const ScratchFolder scratch;
+    const std::string pipe = (scratch / "pipe").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    struct sigaction action {
+    }, before{};
+    action.sa_handler = [](int) {};
+    action.sa_flags = SA_RESTART;
+    ASSERT_EQ(sigaction(SIGALRM, &action, &before), 0);
+    const itimerval often{{0, 20'000}, {0, 20'000}};
+    const itimerval never{};
+    setitimer(ITIMER_REAL, &often, nullptr);
+    const auto error = error_of([&] { write_file(pipe, "x"); });
+    setitimer(ITIMER_REAL, &never, nullptr);
+    sigaction(SIGALRM, &before, nullptr);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->kind(), ErrorKind::interrupted);
 }
 
 TEST(AtomicFile, WritesToADeviceInsteadOfReplacingIt) {

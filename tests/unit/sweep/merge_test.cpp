@@ -9,6 +9,7 @@
 #include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <numeric>
@@ -130,6 +131,19 @@ TEST_F(Merge, GivesTheSameBytesHoweverFewStoresAreOpenAtATime) {
         EXPECT_EQ(merge(study, folder_ / name, options).cells, cell_count(study));
         EXPECT_EQ(bytes(name), bytes("one")) << most;
     }
+}
+
+TEST_F(Merge, OpensNoMoreStoresThanTheProcessMay) {
+    const Study study = plain_study();
+    make_shares(study, 48, folder_ / "out");
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    rlimit few = before;
+    few.rlim_cur = 40;
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+    EXPECT_NO_THROW(merge(study, folder_ / "out"));
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    expect_invented(study, "out");
 }
 
 TEST_F(Merge, SaysWhatIsMissing) {

@@ -223,7 +223,7 @@ SparseMatrix symmetric_matrix(const ListedMatrix& matrix) {
         return whole;
     }
     expect_mirrored(matrix, listed);
-    return 0.5 * (listed + mirrored);
+    return 0.5 * listed + 0.5 * mirrored;  // halves first: a sum may leave double precision
 }
 
 reduction::ElasticPart joined_part(ListedMatrix stiffness, const ListedMatrix& mass, const ListedMatrix* damping) {

@@ -329,7 +329,8 @@ PartContent asked(const std::string& path) {
     if (!descriptor || bytes->size() > largest_file) throw recordings::refusal(path, "it is no reduced part");
     const Netcdf& library = netcdf();
     base::ConfinedProcess process(
-        {.memory = std::uint64_t{8} << 30U, .file = *descriptor},
+        // the largest part takes a second; a damaged file may send the library round in circles
+        {.memory = std::uint64_t{8} << 30U, .processor_time = 20, .patience = 60, .file = *descriptor},
         [&](const base::ConfinedProcess::Channel& channel) { answer(library, channel, bytes->size()); });
     std::uint64_t length = 0;
     std::string text;

@@ -10,11 +10,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <queue>
@@ -87,6 +89,13 @@ private:
     std::size_t index_ = 0;
     bool has_begun_ = false;
 };
+
+// so many stores may be open beside what else this process has open
+std::size_t allowed_stores() {
+    rlimit files{};
+    if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return 2;
+    return static_cast<std::size_t>(std::min<rlim_t>(files.rlim_cur, std::numeric_limits<int>::max())) / 2;
+}
 
 // the sources that are open: where there are too many, the one that was used longest ago is closed
 class OpenSources {
@@ -270,12 +279,13 @@ MergeReport merge(const Study& study, const fs::path& folder, const MergeOptions
     if (fs::exists(merged)) sources.push_back(std::make_unique<MergeSource>(merged, study));
     NewStore written(merged, owner.mark(), study);
     Reporter reporter(options, cells);
-    visit_all(sources, cells, OpenSources(options.most_open), [&](const MergeSource& source) {
-        marks[source.index()] = mark_in(study, source, cells);
-        written.add(source.row());
-        ++report.cells;
-        reporter.note(source.index());
-    });
+    visit_all(sources, cells, OpenSources(std::min(options.most_open, allowed_stores())),
+              [&](const MergeSource& source) {
+                  marks[source.index()] = mark_in(study, source, cells);
+                  written.add(source.row());
+                  ++report.cells;
+                  reporter.note(source.index());
+              });
     // where the locks of another machine are not seen somebody may have begun meanwhile
     for (const ShareStore& store : report.shares)
         if (!store.is_filled) storage::expect_not_filled(store.file, owner_options(store.file));
