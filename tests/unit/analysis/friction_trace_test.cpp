@@ -229,6 +229,16 @@ TEST(FrictionTrace, RefusesWhatIsNoTrace) {
     EXPECT_NO_THROW(friction_trace({1000.0, force, {}, {}, 10.0}));
 }
 
+TEST(FrictionTrace, OfAnOpenContactIsNotSaidToHaveNoForce) {
+    const std::vector<double> force(200, 3.0), open(200, 0.0);
+    try {
+        friction_trace({1000.0, force, {}, open, 10.0});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.problem().what, "the contact is open all the time");
+    }
+}
+
 // newtons for kilonewtons, a preload of 10 mN for 10 N, a reading of an overload
 TEST(FrictionTrace, RefusesCoefficientsThatNothingHas) {
     std::vector<double> force(1000, 3.0);
