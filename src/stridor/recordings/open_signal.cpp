@@ -67,20 +67,20 @@ void refuse_foreign(std::string_view beginning, const std::string& name) {
 }
 
 // Spreadsheets and DIAdem write "Unicode text" so. It is turned into UTF-8 as a whole.
-RawSignal open_utf16_table(const SignalInput& input, const OpenOptions& options) {
+RawSignal open_utf16_table(const SignalInput& input, csv_table::Utf16 form, const OpenOptions& options) {
     constexpr std::uint64_t largest = 1U << 28U;  // [bytes]
     if (input.bytes->size() > largest)
         throw refusal(input.name, "the text in UTF-16 is too long", "at most 256 MiB of it are read",
                       "Save it as UTF-8.");
     SignalInput table = input;
-    table.bytes = bytes_of(csv_table::utf8_of(text_at(*input.bytes, 0, largest)));
+    table.bytes = bytes_of(csv_table::utf8_of(text_at(*input.bytes, 0, largest), form));
     return open_signal_csv(table, options.rate, options.channel_name);
 }
 
 RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     const std::string beginning = text_at(*input.bytes, 0, sniffed);
     if (beginning.empty()) throw refusal(input.name, "the file is empty");
-    if (csv_table::is_utf16(beginning)) return open_utf16_table(input, options);
+    if (const auto form = csv_table::utf16_in(beginning)) return open_utf16_table(input, *form, options);
     if (is_audio(beginning)) return open_audio(input);
     if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);

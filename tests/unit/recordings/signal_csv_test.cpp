@@ -74,7 +74,7 @@ TEST(SignalCsv, SniffsDelimiterDecimalMarkUnitsAndMark) {
 }
 
 TEST(SignalCsv, KeepsMetadataNamesAndNotes) {
-    const auto file = open_signal(input_of("# preload: 20 N\ntime,Kraft [EU],state\n0,1,slip\n1,2,slip\n"));
+    const auto file = open_signal(input_of("# preload: 20 N\ntime [s],Kraft [EU],state\n0,1,slip\n1,2,slip\n"));
     EXPECT_EQ(file->facts().metadata, (std::vector<std::pair<std::string, std::string>>{{"preload", "20 N"}}));
     EXPECT_EQ(file->layout().channels[0].name, "Kraft");
     EXPECT_EQ(file->layout().channels[0].unit, "EU");
@@ -100,7 +100,7 @@ TEST(SignalCsv, FindsTheRateBehindRoundedTimes) {
 
 TEST(SignalCsv, SaysWhatRateItTook) {
     const auto file =
-        open_signal(input_of("time,v\n0,1\n0.000021,2\n0.000042,3\n0.000063,4\n0.000083,4\n0.000104,4\n"));
+        open_signal(input_of("time [s],v\n0,1\n0.000021,2\n0.000042,3\n0.000063,4\n0.000083,4\n0.000104,4\n"));
     EXPECT_EQ(file->layout().rate, 48000.0);
     ASSERT_EQ(file->facts().notes.size(), 1U);
     EXPECT_NE(file->facts().notes[0].find("was taken for 48000 Hz"), std::string::npos);

@@ -3,6 +3,8 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/calibration.hpp"
+#include "stridor/recordings/table/instants.hpp"
+#include "stridor/recordings/table/table_start.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -32,7 +34,9 @@ std::vector<CsvField> split_at_blanks(std::string_view line) {
     for (std::size_t at = line.find_first_not_of(" \t"); at != std::string_view::npos;) {
         const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
         const std::string_view word = line.substr(at, end - at);
-        const bool is_unit = !fields.empty() && (word.front() == '(' || word.front() == '[');
+        // "[s]    [N]" are two
+        const auto is_bracketed = [](std::string_view text) { return text.starts_with('(') || text.starts_with('['); };
+        const bool is_unit = !fields.empty() && is_bracketed(word) && !is_bracketed(fields.back().text);
         if (is_unit)
             fields.back().text += " " + std::string(word);
         else
@@ -70,6 +74,19 @@ std::vector<CsvField> split(std::string_view line, char delimiter) {
     return fields;
 }
 
+std::vector<CsvField> split_names(std::string_view line, char delimiter, std::size_t width) {
+    std::vector<CsvField> fields = split(line, delimiter);
+    if (delimiter != ' ' || fields.size() == width) return fields;
+    // "Normal Force [N]   Friction Force [N]": at two blanks, then
+    std::vector<CsvField> names;
+    for (std::size_t at = line.find_first_not_of(" \t"); at != std::string_view::npos;) {
+        const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.size()});
+        names.push_back({std::string(base::trimmed(line.substr(at, end - at))), static_cast<int>(at) + 1});
+        at = line.find_first_not_of(" \t", end);
+    }
+    return names.size() == width ? names : fields;
+}
+
 void drop_empty_tail(std::vector<CsvField>& fields, std::size_t least) {
     while (fields.size() > least && fields.back().text.empty())
         fields.pop_back();
@@ -82,40 +99,73 @@ std::size_t filled(const std::vector<CsvField>& fields) {
     return count;
 }
 
-bool tells_quoted_decimals(const std::vector<CsvField>& fields) {
-    return std::any_of(fields.begin(), fields.end(), [](const CsvField& field) {
-        const std::size_t comma = field.text.find(',');
-        if (comma == std::string::npos || !number_in(field.text, {';'})) return false;
-        const std::string_view behind = std::string_view(field.text).substr(comma + 1);
-        const std::size_t sign = field.text.find_first_of("0123456789,");
-        return behind.size() != 3 || comma - sign > 3 || field.text[sign] == '0' || comma == sign;
-    });
-}
-
 namespace {
 
-// "1.500,25" and "1,500.25": of two marks the last is the decimal one, and the other parts groups of three digits
+// "1.500" and "12.345.678": groups of three digits behind the first, which is no zero
+bool is_grouped(std::string_view text, char mark) {
+    if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+    std::size_t digits = std::min(text.find(mark), text.size());
+    if (digits == 0 || digits > 3 || digits == text.size() || text.front() == '0') return false;
+    for (;;) {
+        if (text.substr(0, digits).find_first_not_of(all_digits) != std::string_view::npos) return false;
+        if (digits == text.size()) return true;
+        text.remove_prefix(digits + 1);
+        digits = std::min(text.find(mark), text.size());
+        if (digits != 3) return false;
+    }
+}
+
+// "1'500.25" and "1 500,25": marks that are no decimal ones; Unicode's blanks that do not break and its apostrophe, too
+std::string without_clear_marks(std::string text, char delimiter) {
+    const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+    for (const std::string_view mark : {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x99", "\xA0", "'", " "}) {
+        if (mark == " " && (delimiter == ' ' || delimiter == '\0')) continue;  // may part numbers
+        for (std::size_t at = text.find(mark, 1); at != std::string::npos; at = text.find(mark, at + 1)) {
+            const std::size_t behind = at + mark.size();
+            const bool is_group = is_digit(at - 1) && is_digit(behind) && is_digit(behind + 1) &&
+                                  is_digit(behind + 2) && !is_digit(behind + 3);
+            if (is_group) text.erase(at, mark.size());
+        }
+    }
+    return text;
+}
+
+// "1.500,25" and "1,500.25": of two marks the last is the decimal one
 std::string without_thousands(std::string text) {
     const std::size_t decimal = text.find_last_of(".,");
     if (decimal == std::string::npos) return text;
     const char group = text[decimal] == '.' ? ',' : '.';
-    int digits = 0;
-    bool is_grouped = false;
-    for (std::size_t k = decimal; k > 0 && text[k - 1] != '+' && text[k - 1] != '-'; --k) {
-        const char letter = text[k - 1];
-        const bool ends_group = letter == group && digits == 3;
-        if (!ends_group && (letter < '0' || letter > '9' || digits == 3)) return text;
-        is_grouped = is_grouped || ends_group;
-        digits = ends_group ? 0 : digits + 1;
-    }
-    if (is_grouped && digits > 0) std::erase(text, group);
+    if (is_grouped(std::string_view(text).substr(0, decimal), group)) std::erase(text, group);
     return text;
+}
+
+// "2.5D-03", as Fortran prints it
+void write_exponent(std::string& text) {
+    const std::size_t at = text.find_first_of("dD", 1);
+    const bool is_one = at != std::string::npos && at + 2 < text.size() &&
+                        (text[at + 1] == '+' || text[at + 1] == '-') && text.find_first_not_of("+-.,0123456789") == at;
+    if (is_one) text[at] = 'e';
 }
 
 }  // namespace
 
+bool tells_decimal(const CsvField& field, char mark) {
+    const std::size_t at = field.text.find_last_of(".,");
+    return at != std::string::npos && field.text[at] == mark && !is_grouped(field.text, mark) &&
+           number_in(field.text, {';'});
+}
+
+bool tells_grouping(const std::string& text) {
+    return is_grouped(text, '.') || is_grouped(text, ',');
+}
+
 std::string numeral(std::string text, Dialect dialect) {
-    text = without_thousands(std::move(text));
+    text = without_thousands(without_clear_marks(std::move(text), dialect.delimiter));
+    write_exponent(text);
+    if (dialect.grouping != '\0' && text.find(dialect.grouping) != std::string::npos) {
+        if (!is_grouped(text, dialect.grouping)) return "";
+        std::erase(text, dialect.grouping);
+    }
     const bool has_comma = dialect.allows_comma() && text.find('.') == std::string::npos;
     if (has_comma) std::replace(text.begin(), text.end(), ',', '.');
     return text;
@@ -132,60 +182,11 @@ std::optional<double> number_in(const std::string& field, Dialect dialect) {
     return code == std::errc::result_out_of_range ? std::strtod(text.c_str(), nullptr) : number;
 }
 
-namespace {
-
-// digits alone, moved over in `text` together with the mark behind them
-std::optional<int> take_digits(std::string_view& text, std::size_t count, char mark) {
-    int number = 0;
-    const bool is_there = text.size() >= count;
-    if (!is_there) return std::nullopt;
-    const auto [end, code] = std::from_chars(text.data(), text.data() + count, number);
-    if (code != std::errc{} || end != text.data() + count || number < 0) return std::nullopt;
-    text.remove_prefix(count);
-    if (mark == '\0') return number;
-    if (text.empty() || text.front() != mark) return std::nullopt;
-    text.remove_prefix(1);
-    return number;
-}
-
-// days from 1970 in the Gregorian calendar (Hinnant 2013)
-double days_since_1970(int year, int month, int day) {
-    year -= month <= 2 ? 1 : 0;
-    const int era = year / 400;
-    const int year_of_era = year - era * 400;
-    const int day_of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-    return era * 146097.0 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year - 719468;
-}
-
-std::optional<double> clock_in(std::string_view text) {
-    const auto hour = take_digits(text, text.size() > 1 && text[1] == ':' ? 1 : 2, ':');
-    const auto minute = hour ? take_digits(text, 2, ':') : std::nullopt;
-    if (!minute || text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;
-    double second = 0.0;
-    std::string numeral(text);
-    std::replace(numeral.begin(), numeral.end(), ',', '.');
-    const auto [end, code] = std::from_chars(numeral.data(), numeral.data() + numeral.size(), second);
-    const std::string_view rest(end, static_cast<std::size_t>(numeral.data() + numeral.size() - end));
-    const bool is_whole = code == std::errc{} && (rest.empty() || rest == "Z" || rest == "+00:00");
-    return is_whole && second < 61.0 ? std::optional(3600.0 * *hour + 60.0 * *minute + second) : std::nullopt;
-}
-
-std::optional<double> instant_in(std::string_view text) {
-    if (text.size() < 7 || text.find(':') == std::string_view::npos) return std::nullopt;
-    if (const auto clock = clock_in(text)) return clock;
-    const auto year = take_digits(text, 4, text.size() > 4 && text[4] == '/' ? '/' : '-');
-    const auto month = year ? take_digits(text, 2, text.size() > 2 && text[2] == '/' ? '/' : '-') : std::nullopt;
-    const auto day = month ? take_digits(text, 2, text.size() > 2 && text[2] == 'T' ? 'T' : ' ') : std::nullopt;
-    const auto clock = day ? clock_in(text) : std::nullopt;
-    if (!clock || *month < 1 || *month > 12) return std::nullopt;
-    return 86400.0 * days_since_1970(*year, *month, *day) + *clock;
-}
-
-}  // namespace
-
 std::optional<double> value_in(const std::string& field, Dialect dialect) {
     const std::optional<double> number = number_in(field, dialect);
-    return number ? number : instant_in(field);
+    if (number) return number;
+    const std::optional<ClockTime> instant = instant_in(field);
+    return instant ? std::optional(instant->seconds) : std::nullopt;
 }
 
 bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect) {
@@ -193,15 +194,30 @@ bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect) {
                        [&](const CsvField& field) { return value_in(field.text, dialect).has_value(); });
 }
 
+namespace {
+
+// "Zeit t / s" and "a/(m/s^2)" are quantities over their units (ISO 80000-1), "Zeit in ms" and "Time, s" are as good;
+// "rev/min" and "m/s" are units themselves
+std::optional<Title> title_with_unit(std::string_view text) {
+    for (const std::string_view mark : {" / ", " in ", ", ", "/"}) {
+        const std::size_t at = text.find(mark);
+        if (at == std::string_view::npos || at == 0) continue;
+        const std::string_view name = base::trimmed(text.substr(0, at));
+        const std::string_view unit = base::trimmed(text.substr(at + mark.size()));
+        if (unit.empty() || !is_known_unit(unit)) continue;
+        const bool is_time = is_time_name(name);
+        const bool may_be_unit = mark == "/" && !is_time && (is_known_unit(text) || unit_of_label(unit).unit == "s");
+        if (!may_be_unit) return Title{std::string(name), std::string(bare_unit(unit))};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 Title title_of(std::string_view text) {
+    if (auto title = title_with_unit(text)) return *std::move(title);
     // "gap (front) [m]": what ends the title is its unit
     const std::size_t open = text.ends_with(']') ? text.rfind('[') : text.find_first_of("[(");
-    // "Zeit t / s" is a quantity over its unit (ISO 80000-1)
-    const std::size_t slash = text.rfind(" / ");
-    const bool has_quotient = open == std::string_view::npos && slash != std::string_view::npos;
-    const std::string_view behind = has_quotient ? text.substr(slash + 3) : "";
-    if (!behind.empty() && is_known_unit(behind))
-        return {std::string(base::trimmed(text.substr(0, slash))), std::string(behind)};
     if (open == std::string_view::npos) return {std::string(text), ""};
     const std::size_t close = text.find_first_of("])", open);
     const std::size_t length = close == std::string_view::npos ? close : close - open - 1;
@@ -221,18 +237,30 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-bool is_utf16(std::string_view text) {
-    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+std::optional<Utf16> utf16_in(std::string_view beginning) {
+    if (beginning.starts_with("\xFE\xFF")) return Utf16{2, 0};
+    if (beginning.starts_with("\xFF\xFE")) return Utf16{2, 1};
+    // without its mark: every second byte is NUL, and the others are text
+    for (const std::size_t high : {std::size_t{0}, std::size_t{1}}) {
+        std::size_t plain = 0;
+        for (std::size_t k = 0; k + 1 < beginning.size(); k += 2) {
+            const auto low = static_cast<unsigned char>(beginning[k + 1 - high]);
+            const bool is_text = low >= 32 || low == '\n' || low == '\r' || low == '\t';
+            plain += beginning[k + high] == '\0' && is_text ? 1 : 0;
+        }
+        const std::size_t pairs = beginning.size() / 2;
+        if (pairs > 8 && 10 * plain > 9 * pairs) return Utf16{0, high};
+    }
+    return std::nullopt;
 }
 
-std::string utf8_of(std::string_view utf16) {
-    const std::size_t high = utf16.starts_with("\xFE\xFF") ? 0 : 1;  // byte of a pair
+std::string utf8_of(std::string_view utf16, Utf16 form) {
     const auto unit_at = [&](std::size_t k) {
-        return static_cast<std::uint32_t>(static_cast<unsigned char>(utf16[k + high])) << 8U |
-               static_cast<unsigned char>(utf16[k + 1 - high]);
+        return static_cast<std::uint32_t>(static_cast<unsigned char>(utf16[k + form.high])) << 8U |
+               static_cast<unsigned char>(utf16[k + 1 - form.high]);
     };
     std::string text;
-    for (std::size_t k = 2; k + 1 < utf16.size(); k += 2) {
+    for (std::size_t k = form.begin; k + 1 < utf16.size(); k += 2) {
         std::uint32_t code = unit_at(k);
         const bool leads = code >= 0xD800U && code < 0xDC00U && k + 3 < utf16.size();
         const std::uint32_t trail = leads ? unit_at(k + 2) : 0;

@@ -143,7 +143,7 @@ double read_number(const CsvField& field, const SampleColumn& column, Dialect di
 
 SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
     if (text.starts_with(csv_table::utf8_mark)) text.remove_prefix(csv_table::utf8_mark.size());
-    if (csv_table::is_utf16(text))
+    if (csv_table::utf16_in(text.substr(0, 4096)))
         throw Error(ErrorKind::input, {"the file is in UTF-16", "", "Save it as UTF-8."}, base::Place{name, 1, 1, ""});
     const std::vector<TextLine> lines = table_lines(text);
     if (lines.empty())

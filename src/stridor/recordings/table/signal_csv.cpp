@@ -8,8 +8,10 @@
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/column_roles.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
+#include "stridor/recordings/table/instants.hpp"
 #include "stridor/recordings/table/signal_csv_header.hpp"
 #include "stridor/recordings/table/table_rows.hpp"
+#include "stridor/recordings/table/table_start.hpp"
 #include "stridor/recordings/time_grid.hpp"
 
 #include <algorithm>
@@ -30,7 +32,7 @@ using signal_table::TableRows;
 
 constexpr std::size_t looked_at = 1024;  // rows that the rate is first taken from
 
-// the numeral of the time in the last row that has one
+// the time in the last row that has one
 std::optional<std::string> last_time(const SignalInput& input, const TableHeader& header, std::size_t column) {
     const std::uint64_t size = input.bytes->size();
     const std::uint64_t from = std::max(header.data_offset, size - std::min<std::uint64_t>(size, LineReader::longest));
@@ -45,9 +47,16 @@ std::optional<std::string> last_time(const SignalInput& input, const TableHeader
         const bool is_whole = fields.size() >= header.columns.size() &&
                               csv_table::value_in(fields[column].text, header.dialect).has_value();
         if (!is_whole) return std::nullopt;
-        return csv_table::numeral(fields[column].text, header.dialect);
+        return fields[column].text;
     }
     return std::nullopt;
+}
+
+// how finely a time is printed; of clocks, how finely their second is
+time_grid::Precision precision_of(const std::string& field, csv_table::Dialect dialect) {
+    const auto instant = csv_table::instant_in(field);
+    return instant ? time_grid::Precision{instant->decimals, 16}
+                   : time_grid::precision_of(csv_table::numeral(field, dialect));
 }
 
 time_grid::Times times_of(const SignalInput& input, const TableHeader& header, std::size_t column) {
@@ -66,18 +75,23 @@ time_grid::Times times_of(const SignalInput& input, const TableHeader& header, s
                 base::shortest(time) + " follows " + base::shortest(times.first.back()),
                 "Sort the rows by time, or print the times with more digits, or give the rate: --rate 48000.");
         times.first.push_back(time);
-        const std::string numeral = csv_table::numeral(rows.fields()[column].text, header.dialect);
-        times.precision = time_grid::finer(times.precision, time_grid::precision_of(numeral));
+        times.precision = time_grid::finer(times.precision, precision_of(rows.fields()[column].text, header.dialect));
     }
     times.last = times.first.back();
-    if (const auto numeral = last_time(input, header, column)) {
-        const double last = csv_table::value_in(*numeral, {'\0'}).value_or(times.last);
+    if (const auto field = last_time(input, header, column)) {
+        const double last = csv_table::value_in(*field, header.dialect).value_or(times.last);
         if (std::isfinite(last) && last > times.first.back()) {
             times.last = last;
-            times.precision = time_grid::finer(times.precision, time_grid::precision_of(*numeral));
+            times.precision = time_grid::finer(times.precision, precision_of(*field, header.dialect));
         }
     }
     return times;
+}
+
+// are the times those of clocks?
+bool has_clock(const SignalInput& input, const TableHeader& header, std::size_t column) {
+    TableRows rows(input, header);
+    return !rows.next().empty() && csv_table::instant_in(rows.fields()[column].text);
 }
 
 class SignalCsv final : public signal::Source {
@@ -141,12 +155,13 @@ SnappedRate rate_from(const time_grid::Times& times, const base::Place& place) {
     return snapped;
 }
 
+constexpr double earliest_epoch = 1e9;  // [s] since 1970, in 2001
+
 // of times without a unit: nobody measured in the year 30,000, so that numbers so large are no seconds since 1970
 double epoch_unit(double first) {
-    constexpr double earliest = 1e9;  // [s] 2001
     constexpr double latest = 4.2e9;  // [s] 2103
     for (const double unit : {1e-3, 1e-6, 1e-9})
-        if (first * unit >= earliest && first * unit < latest) return unit;
+        if (first * unit >= earliest_epoch && first * unit < latest) return unit;
     return 1.0;
 }
 
@@ -166,6 +181,7 @@ struct RateFinder {
     std::optional<double> given;  // [Hz] by an option
     const TableHeader& header;
     base::Place place;  // of the first row
+    bool lack_unit;     // the times
     std::vector<std::string>& notes;
 
     /// The rate; a rate by an option outranks the times, which are left out then.
@@ -186,10 +202,48 @@ struct RateFinder {
                           "Say which one is right: --rate " + base::shortest(*said) + ", or --rate " +
                               base::shortest(snapped.rate) + ".");
         if (header.rate) return header.rate;
+        if (lack_unit && !said) take_for_seconds(times->first, snapped.rate);
         if (!snapped.note.empty()) notes.push_back(snapped.note);
         return snapped.rate;
     }
+
+private:
+    // 0, 1, 2 may be seconds or milliseconds, or number the rows
+    void take_for_seconds(const std::vector<double>& first, double rate) const {
+        const auto is_whole = [&](double time) { return std::fmod(time - first.front(), 1.0) == 0.0; };
+        if (std::all_of(first.begin(), first.end(), is_whole))
+            throw refusal(place, "the times have no unit", "in seconds the rate would be " + hertz(rate),
+                          "Write it into the heading, as \"time [ms]\", or say the sampling rate: --rate " +
+                              base::shortest(1e3 * rate) + " for milliseconds, --rate " + base::shortest(rate) +
+                              " for seconds.");
+        notes.emplace_back("the times have no unit and were taken for seconds");
+    }
 };
+
+// what was met between the rows
+void note_met(const TableRows::Met& met, char grouping, RawSignal& raw) {
+    const auto rows = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " row" : " rows"); };
+    if (met.comments > 0) {
+        raw.left_out.push_back("remarks behind the columns: in " + rows(met.comments));
+        raw.notes.push_back("the remarks behind the columns, in " + rows(met.comments) + ", were left out");
+    }
+    if (met.grouped > 0)
+        raw.notes.push_back(std::string("a ") + (grouping == '.' ? "point" : "comma") +
+                            " was taken for a mark between thousands " + std::to_string(met.grouped) +
+                            " times, as the other mark is the decimal one");
+    if (met.headings > 0)
+        raw.notes.push_back("the table has " + std::to_string(met.headings + 1) +
+                            " parts with a heading each, and was read as one without gaps");
+}
+
+// the times that are there and are not read
+std::string why_no_times(const TableHeader& header, const signal_table::TableSurvey& survey) {
+    for (std::size_t k = 0; k < header.columns.size(); ++k)
+        if (header.columns[k].role == Role::words && csv_table::is_time_name(header.columns[k].name))
+            return "the times of \"" + header.columns[k].name + "\", as \"" + survey.columns[k].trouble_text +
+                   "\", are not read";
+    return "it has no column of times" + (survey.end == 0 ? "" : "; behind it stands \"" + survey.text_behind + "\"");
+}
 
 }  // namespace
 
@@ -200,13 +254,15 @@ RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate, 
     raw.metadata = header.metadata;
     const signal_table::TableSurvey survey = signal_table::surveyed(input, header);
     header.end_number = survey.end;
-    const bool is_rate_known = rate || header.rate || header.spoken_rate;
-    raw.notes = signal_table::assign_roles(header, survey, {is_rate_known, wanted, input.name});
+    const bool is_said = header.rate || header.spoken_rate;
+    raw.notes = signal_table::assign_roles(header, survey, {rate.has_value(), is_said, wanted, input.name});
+    note_met(survey.met, header.dialect.grouping, raw);
     if (survey.end > 0)
         raw.notes.push_back("the text behind the table, from line " + std::to_string(survey.end) + " (\"" +
                             survey.text_behind + "\") on, was left out");
     const base::Place place{input.name, header.data_number, 0, ""};
     std::optional<time_grid::Times> times;
+    bool lack_unit = false;
     const std::optional<std::size_t> time = signal_table::time_column(header);
     for (std::size_t k = 0; k < header.columns.size(); ++k)
         if (!header.columns[k].why.empty())
@@ -216,6 +272,8 @@ RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate, 
     } else if (time) {
         times = times_of(input, header, *time);
         if (header.columns[*time].unit.empty()) times->unit = epoch_unit(times->first.front());
+        lack_unit = header.columns[*time].unit.empty() && times->unit == 1.0 && times->first.front() < earliest_epoch &&
+                    !has_clock(input, header, *time);
         if (times->unit != 1.0 && header.columns[*time].unit.empty())
             raw.notes.push_back("the times were taken for " +
                                 std::string(times->unit == 1e-3   ? "milliseconds"
@@ -226,17 +284,15 @@ RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate, 
     if (const std::size_t lines = header.prose_lines; lines > 0)
         raw.notes.push_back(std::to_string(lines) + (lines == 1 ? " line" : " lines") +
                             " of text above the table taken for metadata");
-    const std::optional<double> found = RateFinder{rate, header, place, raw.notes}.find(times);
+    const std::optional<double> found = RateFinder{rate, header, place, lack_unit, raw.notes}.find(times);
     if (times) raw.time = shown_column(header, *time);
     const std::string& first = header.columns.front().name;
     if (!found && csv_table::lower(first).starts_with("freq"))
         throw refusal(place, "the table is a spectrum", "it is over \"" + first + "\", and has no sound",
                       "Export the time history.");
     if (!found)
-        throw refusal(
-            place, "the table does not tell its sampling rate",
-            "it has no column of times" + (survey.end == 0 ? "" : "; behind it stands \"" + survey.text_behind + "\""),
-            "Write \"# rate: 48000\" above it, name one column \"time\", or say --rate.");
+        throw refusal(place, "the table does not tell its sampling rate", why_no_times(header, survey),
+                      "Write \"# rate: 48000\" above it, name one column \"time\", or say --rate.");
     raw.source = std::make_unique<SignalCsv>(input, header, *found, std::move(times));
     return raw;
 }

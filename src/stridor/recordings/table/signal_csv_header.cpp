@@ -24,18 +24,48 @@ constexpr std::size_t most_metadata = 1000;    // `# key: value` lines that are 
 constexpr std::size_t looked_at = 300;         // lines in which the table must begin
 constexpr std::size_t most_bytes = 1U << 20U;  // of these
 
-bool is_rate_key(const std::string& key) {
-    constexpr std::array<std::string_view, 7> known{"rate",        "sample rate",        "sampling rate", "sample_rate",
-                                                    "sample freq", "sampling frequency", "abtastrate"};
-    return std::find(known.begin(), known.end(), csv_table::lower(key)) != known.end();
+// "Sample_Rate" and "sample rate" are one key
+std::string plain_key(std::string_view key) {
+    std::string plain = csv_table::lower(key);
+    std::erase_if(plain, [](char c) { return c == ' ' || c == '_' || c == '-'; });
+    return plain;
+}
+
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& known, std::string_view key) {
+    return std::find(known.begin(), known.end(), plain_key(key)) != known.end();
+}
+
+bool is_rate_key(std::string_view key) {
+    constexpr std::array<std::string_view, 15> known{"rate",
+                                                     "fs",
+                                                     "srate",
+                                                     "samplerate",
+                                                     "samplingrate",
+                                                     "samplefreq",
+                                                     "samplingfreq",
+                                                     "samplefrequency",
+                                                     "samplingfrequency",
+                                                     "scanrate",
+                                                     "acquisitionrate",
+                                                     "datarate",
+                                                     "abtastrate",
+                                                     "abtastfrequenz",
+                                                     "messrate"};
+    return is_one_of(known, key);
 }
 
 // the time from one row to the next, as LabVIEW and oscilloscopes call it
-bool is_step_key(const std::string& key) {
-    constexpr std::array<std::string_view, 11> known{
-        "delta_x",    "sample interval", "sampling interval", "sample period",   "increment",     "x increment",
-        "xincrement", "xincr",           "time step",         "abtastintervall", "time increment"};
-    return std::find(known.begin(), known.end(), csv_table::lower(key)) != known.end();
+bool is_step_key(std::string_view key) {
+    constexpr std::array<std::string_view, 16> known{"deltax",          "dt",
+                                                     "deltat",          "tinc",
+                                                     "increment",       "xincrement",
+                                                     "xincr",           "timestep",
+                                                     "timeincrement",   "timeinterval",
+                                                     "sampleinterval",  "samplinginterval",
+                                                     "sampleperiod",    "samplingperiod",
+                                                     "abtastintervall", "abtastzeit"};
+    return is_one_of(known, key);
 }
 
 // the tables that Stridor writes say in their first line what they are
@@ -44,39 +74,6 @@ void check_schema(const std::string& schema, const base::Place& place) {
     if (is_other)
         throw refusal(place, "this table of Stridor's holds no signal over time", "it is a \"" + schema + "\"",
                       "Write a motion with: stridor simulate CASE --trace FILE.csv");
-}
-
-void read_fact(TableHeader& header, std::string_view text, const base::Place& place) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return;
-    const std::string key(base::trimmed(text.substr(0, colon)));
-    const std::string value(base::trimmed(text.substr(colon + 1)));
-    if (key == "schema") check_schema(value, place);
-    if (is_rate_key(key)) {
-        try {
-            header.rate = base::parse_quantity(value, "Hz");
-        } catch (const Error& error) {
-            throw Error(error.kind(), error.problem(), place);
-        }
-        const bool is_rate = *header.rate > 0.0 && *header.rate <= highest_rate;
-        if (!is_rate) throw refusal(place, "\"" + value + "\" is no sampling rate");
-    } else if (header.metadata.size() < most_metadata) {
-        header.metadata.emplace_back(key, value);
-    }
-}
-
-void read_comment(TableHeader& header, const TextLine& line, const std::string& file) {
-    std::string_view content = base::trimmed(line.text);
-    if (!content.starts_with('#')) return;
-    content = base::trimmed(content.substr(1));
-    const base::Place place = place_of(file, line, 1);
-    // Stridor puts all facts into one line
-    const bool has_many = content.starts_with("schema: stridor.");
-    while (!content.empty()) {
-        const std::size_t end = has_many ? content.find(base::csv_text::fact_mark) : std::string_view::npos;
-        read_fact(header, content.substr(0, end), place);
-        content.remove_prefix(end == std::string_view::npos ? content.size() : end + base::csv_text::fact_mark.size());
-    }
 }
 
 // "0,000250" and "4e-6" behind the key, "s" or nothing behind it
@@ -101,6 +98,9 @@ std::optional<double> step_in(const std::vector<CsvField>& fields, const std::st
 }
 
 void read_spoken_step(TableHeader& header, const std::vector<CsvField>& fields, const std::string& unit) {
+    header.spoken_steps.clear();
+    for (const CsvField& field : fields)
+        header.spoken_steps.push_back(csv_table::number_in(field.text, {';'}).value_or(0.0));
     if (const std::optional<double> step = step_in(fields, unit))
         header.spoken_rate = snapped_rate(*step, step_tolerance(fields[1].text)).rate;
 }
@@ -111,6 +111,51 @@ bool may_be_thousands(std::string_view numeral) {
     const std::size_t end = std::min(numeral.find_first_not_of("0123456789,."), numeral.size());
     return comma != std::string_view::npos && comma < 4 && numeral.front() != '0' && end - comma == 4 &&
            numeral.find('.') >= end;
+}
+
+// "51,2 kHz", or its unit in the key; throws for what is no frequency
+double rate_in(const std::string& value, const std::string& unit) {
+    const std::size_t end = std::min(value.find_first_not_of("0123456789.,eE+-"), value.size());
+    const std::string number = value.substr(0, end);
+    const std::string plain = may_be_thousands(value) ? number : csv_table::numeral(number, {';'});
+    return base::parse_quantity(plain + (end < value.size() ? value.substr(end) : " " + unit), "Hz");
+}
+
+bool is_rate(double rate) {
+    return rate > 0.0 && rate <= highest_rate;
+}
+
+void read_fact(TableHeader& header, std::string_view text, const base::Place& place) {
+    const std::size_t colon = text.find(':');
+    const std::size_t mark = colon == std::string_view::npos ? text.find('=') : colon;
+    if (mark == std::string_view::npos) return;
+    const csv_table::Title key = csv_table::title_of(base::trimmed(text.substr(0, mark)));
+    const std::string value(base::trimmed(text.substr(mark + 1)));
+    if (key.name == "schema") check_schema(value, place);
+    if (is_rate_key(key.name)) {
+        try {
+            header.rate = rate_in(value, key.unit);
+        } catch (const Error& error) {
+            throw Error(error.kind(), error.problem(), place);
+        }
+        if (!is_rate(*header.rate)) throw refusal(place, "\"" + value + "\" is no sampling rate");
+    } else if (header.metadata.size() < most_metadata) {
+        header.metadata.emplace_back(base::trimmed(text.substr(0, mark)), value);
+    }
+}
+
+void read_comment(TableHeader& header, const TextLine& line, const std::string& file) {
+    std::string_view content = base::trimmed(line.text);
+    if (!content.starts_with('#')) return;
+    content = base::trimmed(content.substr(1));
+    const base::Place place = place_of(file, line, 1);
+    // Stridor puts all facts into one line
+    const bool has_many = content.starts_with("schema: stridor.");
+    while (!content.empty()) {
+        const std::size_t end = has_many ? content.find(base::csv_text::fact_mark) : std::string_view::npos;
+        read_fact(header, content.substr(0, end), place);
+        content.remove_prefix(end == std::string_view::npos ? content.size() : end + base::csv_text::fact_mark.size());
+    }
 }
 
 // "Sampling rate [Hz];51200" and "operator: Smith" above the table; nothing in prose is an error
@@ -131,15 +176,13 @@ void read_prose(TableHeader& header, const std::string& text) {
     }
     if (title.name.empty() || value.empty()) return;
     if (is_step_key(title.name)) read_spoken_step(header, fields, title.unit);
-    if (!is_rate_key(title.name) || may_be_thousands(value)) {
+    if (!is_rate_key(title.name)) {
         header.metadata.emplace_back(title.name, title.unit.empty() ? value : value + " " + title.unit);
         return;
     }
     try {
-        const bool has_unit = value.find_first_not_of("0123456789.,eE+-") != std::string::npos;
-        const std::string number = csv_table::numeral(value, {';'});
-        const double rate = base::parse_quantity(has_unit ? number : number + " " + title.unit, "Hz");
-        if (rate > 0.0 && rate <= highest_rate) header.spoken_rate = rate;
+        const double rate = rate_in(value, title.unit);
+        if (is_rate(rate)) header.spoken_rate = rate;
     } catch (const Error&) {
         header.metadata.emplace_back(title.name, value);
     }
@@ -165,6 +208,10 @@ struct Beginning {
     std::vector<std::string> texts;  // of the table, and of prose above it
     std::vector<TextLine> lines;     // their numbers and places; the text is in `texts`
     std::vector<std::pair<std::string, TextLine>> comments;
+
+    base::Place place(std::size_t k, const std::string& file) const {
+        return place_of(file, {texts[k], lines[k].number, lines[k].offset}, 1);
+    }
 };
 
 Beginning beginning_of(LineReader& lines) {
@@ -174,10 +221,14 @@ Beginning beginning_of(LineReader& lines) {
         beginning.lines.push_back({{}, line.number, line.offset});
     };
     std::optional<std::pair<std::string, TextLine>> names;  // of a comment, if rows of numbers follow
+    int headings = 0;                                       // LabVIEW's have two ends; a third is between rows
     for (std::size_t bytes = 0; bytes < most_bytes && beginning.texts.size() < looked_at;) {
         const auto line = lines.next();
         if (!line) break;
         bytes += line->text.size();
+        headings += line->text.starts_with(heading_end) ? 1 : 0;
+        if (headings > 2) break;
+        if (line->text.find_first_not_of(",; \t") == std::string_view::npos) continue;
         if (auto found = names_in_comment(line->text)) {
             names = {*std::move(found), TextLine{{}, line->number, line->offset}};
         } else if (is_table_line(line->text)) {
@@ -193,21 +244,27 @@ Beginning beginning_of(LineReader& lines) {
 }
 
 // names in the first line, or none; what else cannot be a row of numbers is one of units
-csv_table::TableStart plain_start(const Beginning& beginning, const base::Place& place) {
+csv_table::TableStart plain_start(const Beginning& beginning, const std::string& file) {
     const std::vector<std::string>& texts = beginning.texts;
     const bool has_delimiter = texts[0].find_first_of("\t;,") != std::string::npos;
-    csv_table::TableStart start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0, 0};
+    csv_table::TableStart start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0, 0, false};
     const auto has_numbers = [&](std::size_t k) {
         return csv_table::is_number_row(csv_table::split(texts[k], start.dialect.delimiter), start.dialect);
     };
     if (has_numbers(0)) return start;
+    if (texts.size() > 1 && !has_numbers(1))
+        for (const CsvField& field : csv_table::split(texts[1], start.dialect.delimiter))
+            if (csv_table::tells_grouping(field.text))
+                throw refusal(beginning.place(1, file),
+                              "\"" + field.text + "\" may be a decimal number, or one of thousands",
+                              "no row tells which mark is the decimal one", "Write the decimal mark as a point.");
     start.names = 0;
     start.rows = 1;
     if (texts.size() > 1 && !has_numbers(1)) {
         start.units = 1;
         start.rows = 2;
     }
-    if (texts.size() <= start.rows) throw refusal(place, "the table has no row of numbers");
+    if (texts.size() <= start.rows) throw refusal(beginning.place(0, file), "the table has no row of numbers");
     return start;
 }
 
@@ -241,7 +298,9 @@ void read_columns(TableHeader& header, const csv_table::TableStart& start, const
         csv_table::drop_empty_tail(fields, 1);
         return fields;
     };
-    std::vector<CsvField> fields = fields_in(start.first());
+    std::vector<CsvField> fields =
+        start.width > 0 ? csv_table::split_names(beginning.texts[start.first()], start.dialect.delimiter, start.width)
+                        : fields_in(start.first());
     if (start.width > 0)
         fields.resize(start.width);
     else
@@ -254,6 +313,11 @@ void read_columns(TableHeader& header, const csv_table::TableStart& start, const
     if (!header.has_names) return;
     header.names_number = place.line;
     for (std::size_t k = 0; k < fields.size(); ++k) {
+        // "tInc = 2.5e-04" stands beside the names
+        const std::size_t mark = fields[k].text.find('=');
+        if (mark != std::string::npos)
+            if (const std::string key(base::trimmed(fields[k].text.substr(0, mark))); is_step_key(key))
+                read_spoken_step(header, {{key}, {std::string(base::trimmed(fields[k].text.substr(mark + 1)))}}, "");
         const csv_table::Title title = csv_table::title_of(fields[k].text);
         header.columns[k] = {title.name, std::string(base::trimmed(title.unit)), Role::channel, {}};
         part_unit_from_name(header.columns[k]);
@@ -291,13 +355,14 @@ TableHeader read_header(const SignalInput& input) {
         if (line.number < end) read_comment(header, {text, line.number, line.offset}, input.name);
     if (beginning.texts.empty())
         throw refusal({input.name, 0, 0, ""}, "the file holds no table", "columns of numbers are expected");
-    const auto place_in = [&](std::size_t k) {
-        return place_of(input.name, {beginning.texts[k], beginning.lines[k].number, beginning.lines[k].offset}, 1);
-    };
     const std::optional<csv_table::TableStart> found = csv_table::find_start(beginning.texts);
-    const csv_table::TableStart start = found ? *found : plain_start(beginning, place_in(0));
-    for (std::size_t k = 0; k < start.first(); ++k)
-        read_prose(header, beginning.texts[k]);
+    const csv_table::TableStart start = found ? *found : plain_start(beginning, input.name);
+    for (std::size_t k = 0; k < start.first(); ++k) {
+        const std::string& text = beginning.texts[k];
+        if (text.starts_with(heading_end) && start.names) header.heading.names = beginning.texts[*start.names];
+        if (text.starts_with("Delta_X")) header.heading.steps = text;
+        read_prose(header, text);
+    }
     const std::size_t prose_lines = header.prose_lines;
     // facts may stand left of the first rows
     for (std::size_t k = start.rows; !start.names && k < std::min(beginning.texts.size(), start.rows + 30); ++k)
@@ -306,9 +371,10 @@ TableHeader read_header(const SignalInput& input) {
             read_prose(header, beginning.texts[k]);
     header.prose_lines = prose_lines;
     header.dialect = start.dialect;
+    header.has_comment = start.has_comment;
     header.data_offset = beginning.lines[start.rows].offset;
     header.data_number = beginning.lines[start.rows].number;
-    read_columns(header, start, beginning, place_in(start.first()));
+    read_columns(header, start, beginning, beginning.place(start.first(), input.name));
     return header;
 }
 

@@ -30,6 +30,15 @@ struct SignalColumn {
     std::string why{};  // it is no channel
 };
 
+/// What LabVIEW writes again before each part of a table.
+struct PartHeading {
+    std::string names{};  // the line of the names; empty: no such table
+    std::string steps{};  // the line Delta_X
+};
+
+/// The line that ends each of LabVIEW's headings.
+inline constexpr std::string_view heading_end = "***End_of_Header***";
+
 /// What stands above the numbers.
 struct TableHeader {
     csv_table::Dialect dialect;
@@ -38,8 +47,11 @@ struct TableHeader {
     std::optional<double> rate;             // [Hz] from a `# rate:` line
     std::optional<double> spoken_rate;      // [Hz] from the prose above the table
     std::vector<std::string> spoken_units;  // of the columns, from the prose above the table
-    std::size_t prose_lines = 0;            // [1] of text above the table
+    std::vector<double> spoken_steps;       // as it has them of the columns, 0 where it has none
+    PartHeading heading{};
+    std::size_t prose_lines = 0;  // [1] of text above the table
     bool has_names = false;
+    bool has_comment = false;       // a row may have a remark behind its columns
     std::uint64_t data_offset = 0;  // [bytes] of the first row of numbers
     int data_number = 1;            // [1] its line
     int names_number = 0;           // [1] the line of the names; 0: none

@@ -23,11 +23,13 @@ double sample_or_nothing(double number) {
     return signal::is_sample(number) ? number : nothing;
 }
 
-// what instruments and spreadsheets write where they have no value, if nothing else in the column is nearly as large
-constexpr std::array value_marks{999.0, 9999.0, 99999.0, 999999.0, 9999999.0, 32768.0};
-
-bool is_value_mark(double x) {
-    return std::find(value_marks.begin(), value_marks.end(), std::abs(x)) != value_marks.end();
+// what instruments and spreadsheets write where they have no value
+bool may_mark_no_value(double x) {
+    constexpr std::array marks{999.0,   999.25,  9999.0,  99999.0,   999999.0,
+                               32767.0, 32768.0, 65535.0, 9999999.0, 2147483647.0};
+    constexpr double unmeasured = 1e15;  // [any unit] nothing that is measured is as large: 1E+20, 1E+30
+    const double size = std::abs(x);
+    return size >= marks.front() && (size >= unmeasured || std::find(marks.begin(), marks.end(), size) != marks.end());
 }
 
 /// Gathers what is in a column.
@@ -37,18 +39,21 @@ public:
 
     void push(double x) {
         ColumnSurvey& c = column_;
-        if (is_value_mark(x) && (c.marks == 0 || x == c.mark)) {
-            c.mark = x;
-            ++c.marks;
-        } else {
+        constexpr std::size_t most_marks = 8;
+        if (may_mark_no_value(x) && (c.marks.size() < most_marks || c.marks.contains(x)))
+            ++c.marks[x];
+        else
             c.largest = std::max(c.largest, std::abs(x));
-        }
+        c.is_whole = c.is_whole && x == std::floor(x);
         if (c.numbers == 0) c.first = x;
         if (c.numbers == 1) c.second = x;
         if (c.numbers > 0) {
             const double step = c.second - c.first;
             c.is_rising = c.is_rising && x > c.last;
             c.is_even = c.is_even && step != 0.0 && std::abs(x - c.last - step) <= 0.1 * std::abs(step);
+            c.rests += x == c.last ? 1 : 0;
+            c.ups += x - c.last == 1.0 ? 1 : 0;
+            c.downs += x - c.last == -1.0 ? 1 : 0;
         }
         c.last = x;
         ++c.numbers;
@@ -62,6 +67,8 @@ private:
 
 TableRows::TableRows(const SignalInput& input, const TableHeader& header)
     : dialect_(header.dialect),
+      has_comment_(header.has_comment),
+      heading_(header.heading),
       end_(header.end_number),
       lines_(input.bytes, input.name, header.data_offset, header.data_number),
       values_(header.columns.size()),
@@ -70,14 +77,32 @@ TableRows::TableRows(const SignalInput& input, const TableHeader& header)
 std::span<const double> TableRows::next() {
     if (line_) last_number_ = line_->number;
     line_ = next_row(lines_);
+    if (line_ && !heading_.names.empty() && line_->text.starts_with("Channels")) skip_heading();
     if (!line_ || (end_ > 0 && line_->number >= end_)) return {};
     is_text_ = false;
     if (!read_plain()) read_fields();
     return values_;
 }
 
+// Multi_Headings: what LabVIEW writes at each turn is read on where it is of the same channels
+void TableRows::skip_heading() {
+    const base::Place begin = place_of(lines_.name(), *line_, 1);
+    bool is_alike = true;
+    while (line_ && !line_->text.starts_with(heading_end)) {
+        is_alike = is_alike && (!line_->text.starts_with("Delta_X") || line_->text == heading_.steps);
+        line_ = next_row(lines_);
+    }
+    if (line_) line_ = next_row(lines_);
+    if (line_ && (!is_alike || line_->text != heading_.names))
+        throw refusal(begin, "here begin other channels, or others' steps", "the parts of a file are read as one",
+                      "Write each part into a file of its own.");
+    if (line_) line_ = next_row(lines_);
+    ++met_.headings;
+}
+
 std::vector<CsvField> TableRows::fields() const {
     std::vector<CsvField> fields = csv_table::split(line_->text, dialect_.delimiter);
+    if (has_comment_ && fields.size() == values_.size() + 1) fields.pop_back();
     csv_table::drop_empty_tail(fields, values_.size());
     return fields;
 }
@@ -89,6 +114,7 @@ base::Place TableRows::place(std::size_t column) const {
 
 // the usual row, without words, quotes and decimal commas; false for any other
 bool TableRows::read_plain() {
+    if (dialect_.grouping == '.') return false;
     const char* at = line_->text.data();
     const char* const end = at + line_->text.size();
     const auto skip = [&] {
@@ -109,7 +135,12 @@ bool TableRows::read_plain() {
 }
 
 void TableRows::read_fields() {
-    const std::vector<CsvField> row = fields();
+    std::vector<CsvField> row = csv_table::split(line_->text, dialect_.delimiter);
+    if (has_comment_ && row.size() == values_.size() + 1) {
+        met_.comments += row.back().text.empty() ? 0U : 1U;
+        row.pop_back();
+    }
+    csv_table::drop_empty_tail(row, values_.size());
     const bool has_number = csv_table::is_number_row(row, dialect_);
     // a word in a single column is a damaged row, unless a blank line parts it
     is_text_ = !has_number && (values_.size() > 1 || line_->number > last_number_ + 1);
@@ -119,8 +150,23 @@ void TableRows::read_fields() {
                       "the row has " + std::to_string(row.size()) + " columns",
                       "the first row has " + std::to_string(values_.size()),
                       "Give every row as many fields, empty ones where there is no number.");
-    for (std::size_t k = 0; k < row.size(); ++k)
+    for (std::size_t k = 0; k < row.size(); ++k) {
         values_[k] = sample_or_nothing(csv_table::value_in(row[k].text, dialect_).value_or(nothing));
+        const bool is_grouped = dialect_.grouping != '\0' && row[k].text.find(dialect_.grouping) != std::string::npos &&
+                                csv_table::tells_grouping(row[k].text);
+        met_.grouped += is_grouped ? 1U : 0U;
+    }
+}
+
+// "Max,1.0" behind the rows: a word where the times stood
+bool begins_summary(const TableSurvey& survey, std::span<const double> row, const TableRows& rows,
+                    csv_table::Dialect dialect) {
+    const ColumnSurvey& first = survey.columns.front();
+    if (row.size() < 2 || !std::isnan(row.front()) || survey.rows < 3 || first.numbers != survey.rows ||
+        !first.is_rising)
+        return false;
+    const std::string field = rows.fields().front().text;
+    return !field.empty() && !csv_table::value_in(field, dialect);
 }
 
 TableSurvey surveyed(const SignalInput& input, const TableHeader& header) {
@@ -129,8 +175,9 @@ TableSurvey surveyed(const SignalInput& input, const TableHeader& header) {
     std::optional<base::Place> text;
     for (TableRows rows(input, header);;) {
         const std::span<const double> row = rows.next();
+        survey.met = rows.met();
         if (row.empty()) return survey;
-        if (rows.is_text()) {
+        if (rows.is_text() || begins_summary(survey, row, rows, header.dialect)) {
             if (!text) {
                 text = rows.place(0);
                 survey.end = rows.number();

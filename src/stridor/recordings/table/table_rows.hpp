@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,28 +36,43 @@ public:
     /// The number of its line.
     int number() const { return line_->number; }
 
+    /// What was met so far.
+    struct Met {
+        std::size_t comments = 0;  // [1] rows with a remark behind their columns
+        std::size_t grouped = 0;   // [1] numbers whose only mark parts thousands
+        std::size_t headings = 0;  // [1] between the rows, as LabVIEW repeats its own
+    };
+    const Met& met() const { return met_; }
+
 private:
     bool read_plain();
     void read_fields();
+    void skip_heading();
 
     csv_table::Dialect dialect_;
+    bool has_comment_;
+    PartHeading heading_;
     int end_;  // [1] line of the text behind the table; 0: none
     LineReader lines_;
     std::optional<TextLine> line_{};
     std::vector<double> values_;
     int last_number_;  // [1] of the row before
     bool is_text_ = false;
+    Met met_{};
 };
 
 /// What is in a column.
 struct ColumnSurvey {
-    std::uint64_t numbers = 0;  // [1] rows that have one
-    std::uint64_t empty = 0;    // [1] rows that have nothing
-    std::uint64_t marks = 0;    // [1] rows with the mark below
-    double mark = 0.0;          // a number that instruments write where they have none: -9999
-    double largest = 0.0;       // [unit] magnitude, marks aside
-    bool is_rising = true;      // every number is greater than the one before
-    bool is_even = true;        // it changes by the same step in every row, about
+    std::uint64_t numbers = 0;                // [1] rows that have one
+    std::uint64_t empty = 0;                  // [1] rows that have nothing
+    std::map<double, std::uint64_t> marks{};  // [1] rows with each number that may stand for no value: -9999
+    double largest = 0.0;                     // [unit] magnitude, these aside
+    bool is_rising = true;                    // every number is greater than the one before
+    bool is_even = true;                      // it changes by the same step in every row, about
+    bool is_whole = true;                     // every number is a whole one
+    std::uint64_t rests = 0;                  // [1] steps of 0
+    std::uint64_t ups = 0;                    // [1] steps of 1
+    std::uint64_t downs = 0;                  // [1] steps of -1
     double first = 0.0;
     double second = 0.0;
     double last = 0.0;
@@ -70,6 +86,7 @@ struct TableSurvey {
     std::vector<ColumnSurvey> columns{};
     int end = 0;              // [1] line of the first text behind the table; 0: none
     std::string text_behind;  // that line
+    TableRows::Met met{};
 
     /// Has a column a number in every row?
     bool is_whole(std::size_t column) const { return columns[column].numbers == rows; }

@@ -49,35 +49,67 @@ bool looks_like_units(const std::vector<CsvField>& fields) {
     return !names_a_time(fields) && std::any_of(fields.begin(), fields.end(), is_unit);
 }
 
+// "acc [m/s^2]" is a name with its unit, and no unit
+bool holds_titles(const std::vector<CsvField>& fields) {
+    return std::any_of(fields.begin(), fields.end(), [](const CsvField& field) {
+        const Title title = title_of(field.text);
+        return !title.name.empty() && !title.unit.empty() && is_known_unit(title.unit);
+    });
+}
+
 class Finder {
 public:
-    Finder(std::span<const std::string> lines, Dialect dialect) : lines_(lines), dialect_(dialect) {}
+    Finder(std::span<const std::string> lines, Dialect dialect) : lines_(lines), dialect_(dialect) {
+        for (const std::string& line : lines) {
+            std::vector<CsvField> fields = fields_of(line, dialect);
+            drop_empty_tail(fields, 1);
+            if (fields.size() > 1 && lower(fields.back().text) == "comment") commented_ = fields.size() - 1;
+        }
+    }
 
     std::optional<TableStart> find() {
         find_rows();
         if (rows_ == lines_.size()) return std::nullopt;
         // rows above a row that is damaged are no prose: the reader of rows will say where it is
         for (std::size_t k = 0; k < rows_; ++k)
-            if (const auto fields = fields_of(lines_[k], dialect_);
+            if (const auto fields = row_in(k);
                 filled(fields) == filled_ && fields.size() >= filled_ && is_row(fields, dialect_))
                 return std::nullopt;
-        TableStart start{dialect_, {}, {}, rows_, filled_};
+        TableStart start{dialect_, {}, {}, rows_, filled_, false};
         if (rows_ > 0) find_names(start);
         // a line of text and one of numbers may be anything
         const bool is_sure = start.first() == 0 || (rows_ > 2 && lines_.size() - rows_ > 1);
         const bool is_short = rows_ <= 2 && start.names.has_value();
-        return is_sure || is_short ? std::optional(start) : std::nullopt;
+        return is_sure || is_short || is_below_facts() ? std::optional(start) : std::nullopt;
     }
 
 private:
-    std::vector<CsvField> above(std::size_t lines) const { return fields_of(lines_[rows_ - lines], dialect_); }
+    std::vector<CsvField> above(std::size_t lines) const {
+        return split_names(lines_[rows_ - lines], dialect_.delimiter, filled_);
+    }
+
+    // without its remark
+    std::vector<CsvField> row_in(std::size_t line) const {
+        std::vector<CsvField> fields = fields_of(lines_[line], dialect_);
+        if (commented_ > 0 && fields.size() == commented_ + 1) fields.pop_back();
+        return fields;
+    }
+
+    // "Sampling rate: 8000 Hz" above rows of several fields is a fact, and no name of theirs
+    bool is_below_facts() const {
+        const auto is_fact = [&](const std::string& line) {
+            return filled(fields_of(line, dialect_)) == 1 && line.find_first_of(":=") != std::string::npos;
+        };
+        return filled_ > 1 && lines_.size() - rows_ > 2 &&
+               std::all_of(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(rows_), is_fact);
+    }
 
     // fields at the end of a row may be empty, so that rows differ in those that are filled
     void find_rows() {
         rows_ = lines_.size();
         std::size_t narrowest = std::numeric_limits<std::size_t>::max();
         while (rows_ > 0) {
-            const std::vector<CsvField> fields = above(1);
+            const std::vector<CsvField> fields = row_in(rows_ - 1);
             if (!is_row(fields, dialect_)) break;
             const std::size_t wide = std::max(filled_, filled(fields));
             if (wide > std::min(narrowest, fields.size())) break;
@@ -97,7 +129,7 @@ private:
         if (first == last.begin()) return;
         const auto numbers_from = static_cast<std::size_t>(first - last.begin());
         while (rows_ > 0) {
-            const std::vector<CsvField> fields = above(1);
+            const std::vector<CsvField> fields = row_in(rows_ - 1);
             if (filled(fields) != filled_) return;
             for (std::size_t k = numbers_from; k < filled_; ++k)
                 if (!is_number(fields[k], dialect_)) return;
@@ -137,29 +169,46 @@ private:
             start.units = rows_ - 1;
         } else if (fits(above(1))) {
             start.names = rows_ - 1;
-            const bool has_units = has_second && (rows_ > 2 ? looks_like_units(above(1))
-                                                            : !names_a_time(above(1)) || names_a_time(above(2)));
+            const bool has_units =
+                has_second && !holds_titles(above(1)) &&
+                (rows_ > 2 ? looks_like_units(above(1)) : !names_a_time(above(1)) || names_a_time(above(2)));
             if (has_units) {
                 start.names = rows_ - 2;
                 start.units = rows_ - 1;
             }
         }
-        if (start.names) start.width = width_of(fields_of(lines_[*start.names], dialect_)).value_or(filled_);
+        if (!start.names) return;
+        start.width = width_of(above(rows_ - *start.names)).value_or(filled_);
+        start.has_comment = commented_ > 0 && start.width == commented_;
     }
 
     std::span<const std::string> lines_;
     Dialect dialect_;
     std::size_t rows_ = 0;
     std::size_t filled_ = 0;     // of the widest row
+    std::size_t commented_ = 0;  // fields before LabVIEW's remark; 0: the names have none
     std::size_t narrowest_ = 0;  // fields of the narrowest row, empty ones too
 };
 
+// which mark is the decimal one, and which one parts thousands
+void look_for_marks(std::span<const std::string> lines, Dialect& dialect) {
+    bool has_commas = false;
+    bool has_points = false;
+    for (const std::string& line : lines)
+        for (const CsvField& field : fields_of(line, dialect)) {
+            has_commas |= tells_decimal(field, ',');
+            has_points |= tells_decimal(field, '.');
+        }
+    dialect.has_quoted_decimals = dialect.delimiter == ',' && has_commas;
+    dialect.grouping = has_commas == has_points ? '\0' : has_commas ? '.' : ',';
+}
+
 // what parts the rows that end with the last of these lines
 std::optional<TableStart> found_by(std::span<const std::string> lines, Dialect dialect) {
-    if (dialect.delimiter == ',')
-        for (const std::string& line : lines)
-            dialect.has_quoted_decimals |= tells_quoted_decimals(fields_of(line, dialect));
-    return Finder(lines, dialect).find();
+    if (dialect.delimiter == ',') look_for_marks(lines, dialect);
+    std::optional<TableStart> found = Finder(lines, dialect).find();
+    if (found && dialect.delimiter != ',') look_for_marks(lines.subspan(found->rows), found->dialect);
+    return found;
 }
 
 std::optional<TableStart> start_before(std::span<const std::string> lines) {

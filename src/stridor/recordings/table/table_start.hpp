@@ -19,7 +19,8 @@ struct TableStart {
     std::optional<std::size_t> names{};
     std::optional<std::size_t> units{};
     std::size_t rows = 0;
-    std::size_t width = 0;  // [1] columns
+    std::size_t width = 0;     // [1] columns
+    bool has_comment = false;  // some rows have one field more, a remark: LabVIEW's last column
 
     /// The first line of the table; what stands above it is prose.
     std::size_t first() const { return names.value_or(rows); }
@@ -30,7 +31,7 @@ struct TableStart {
 /// The rows of numbers are the lines that reach to the last one given (or to what little text is behind them), begin
 /// with a number, hold more numbers than words, and have as many fields as each other, empty ones at their ends aside.
 /// The names are the line above them that has as many fields, or the one above that, if the one between holds units.
-/// What is higher up is prose. Nothing where this finds no table.
+/// What is higher up is prose. Which mark is the decimal one is seen in the rows. Nothing where this finds no table.
 std::optional<TableStart> find_start(std::span<const std::string> lines);
 
 /// Drops the last of the names of a table `width` columns wide, if it is "Comment" and one too many: LabVIEW names a
