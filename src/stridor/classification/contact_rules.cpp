@@ -47,7 +47,7 @@ struct JudgedFigures {
     JudgedFigure slip, stick;
     JudgedFigure regularity;         // of equal beats, or of as many unlike ones as are allowed
     JudgedFigure repetition;         // of the pattern
-    double pattern_frequency = 0.0;  // [Hz] how often that comes again
+    JudgedFigure pattern_frequency;  // [Hz] how often that comes again
 };
 
 bool is_proven_cycle(const analysis::Evidence& evidence) {
@@ -69,16 +69,31 @@ JudgedFigure likeness_within(const analysis::Evidence& evidence, std::size_t lag
     return figure;
 }
 
+// How often the pattern comes again: its duration scatters as its beats do from one time to the next, and the mean of n
+// of them by 1/sqrt(n) of that.
+JudgedFigure pattern_frequency(const analysis::Evidence& evidence) {
+    const analysis::Alternation& found = evidence.alternation;
+    JudgedFigure figure{1.0 / found.period};
+    const double mismatch = found.mismatch.at(static_cast<std::size_t>(found.lag - 1)).mean;
+    const double patterns = static_cast<double>(found.intervals) / found.lag;
+    if (std::isfinite(mismatch) && patterns > 0.0) figure.scatter = figure.value * mismatch / std::sqrt(patterns);
+    if (evidence.coarser) {
+        const double coarser = 1.0 / evidence.coarser->period;
+        if (std::isfinite(coarser)) figure.step_change = std::abs(coarser - figure.value);
+    }
+    return figure;
+}
+
 JudgedFigures figures_of(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
     const analysis::Rates change = evidence.judged_step_change.value_or(analysis::Rates{});
     JudgedFigures figures{{evidence.judged_rates.slip, evidence.judged_errors.slip, change.slip},
                           {evidence.judged_rates.stick, evidence.judged_errors.stick, change.stick},
                           likeness_within(evidence, static_cast<std::size_t>(thresholds.squeal_beats)),
                           likeness_within(evidence, analysis::largest_lag),
-                          1.0 / evidence.alternation.period};
+                          pattern_frequency(evidence)};
     if (is_proven_cycle(evidence)) {
         figures.repetition = {1.0};
-        figures.pattern_frequency = 1.0 / evidence.ending.outlook.period;
+        figures.pattern_frequency = {1.0 / evidence.ending.outlook.period};
     }
     return figures;
 }
@@ -201,14 +216,15 @@ std::optional<std::string> shortcoming(const analysis::Evidence& evidence, const
                                        const parameters::Thresholds& thresholds) {
     const bool repeats = figures.repetition.value >= thresholds.squeal_regularity;
     if (!repeats) return std::nullopt;
-    if (figures.pattern_frequency < thresholds.squeal_frequency)
-        return fmt::format("the pattern repeats, but only {:.3g} times a second", figures.pattern_frequency);
+    const double often = figures.pattern_frequency.value;
+    if (often < thresholds.squeal_frequency)
+        return fmt::format("the pattern repeats, but only {:.3g} times a second", often);
     return fmt::format("the pattern repeats after {} unequal beats, but only to {:.3f}", evidence.alternation.lag,
                        figures.repetition.value);
 }
 
 std::string pattern_text(const analysis::Evidence& evidence, const JudgedFigures& figures) {
-    const std::string often = fmt::format("{:.4g} times a second", figures.pattern_frequency);
+    const std::string often = fmt::format("{:.4g} times a second", figures.pattern_frequency.value);
     if (is_proven_cycle(evidence))
         return fmt::format("states alternate in a cycle that repeats itself {} (proven)", often);
     return fmt::format("states alternate in a pattern of {} unequal beats that comes again {} (repetition {:.3f})",
@@ -217,23 +233,28 @@ std::string pattern_text(const analysis::Evidence& evidence, const JudgedFigures
 
 Decision alternating(const analysis::Evidence& evidence, const JudgedFigures& figures,
                      const parameters::Thresholds& thresholds) {
-    const bool is_often = figures.pattern_frequency >= thresholds.squeal_frequency;
+    const Side often = side_of(figures.pattern_frequency, thresholds.squeal_frequency, thresholds);
     const JudgedFigure& regularity = figures.regularity;
     const bool is_thin = static_cast<double>(evidence.alternation.intervals) < thresholds.least_intervals ||
                          std::isnan(regularity.value);
-    if (is_thin && !(is_often && is_proven_cycle(evidence)))
+    if (is_thin && !(often == Side::above && is_proven_cycle(evidence)))
         return {Category::undecided, Quiet::no,
                 fmt::format("only {} intervals between changes of state", evidence.alternation.intervals)};
     const Side regular = side_of(regularity, thresholds.squeal_regularity, thresholds);
-    const Side repeats = is_often ? side_of(figures.repetition, thresholds.squeal_repetition, thresholds) : Side::below;
+    const Side repeats =
+        often == Side::below ? Side::below : side_of(figures.repetition, thresholds.squeal_repetition, thresholds);
     if (regular == Side::above)
         return {Category::squeal, Quiet::no,
                 fmt::format("states alternate regularly (regularity {:.3f})", regularity.value)};
-    if (repeats == Side::above) return {Category::squeal, Quiet::no, pattern_text(evidence, figures)};
+    if (repeats == Side::above && often == Side::above)
+        return {Category::squeal, Quiet::no, pattern_text(evidence, figures)};
     if (regular == Side::open)
         return doubted("regularity", regularity, thresholds.squeal_regularity, "squeal_regularity");
     if (repeats == Side::open)
         return doubted("repetition", figures.repetition, thresholds.squeal_repetition, "squeal_repetition");
+    if (repeats == Side::above)
+        return doubted("number of patterns per second", figures.pattern_frequency, thresholds.squeal_frequency,
+                       "squeal_frequency");
     return {Category::squeak, Quiet::no,
             fmt::format("states alternate irregularly (regularity {:.3f})", regularity.value)};
 }

@@ -58,6 +58,21 @@ const Margin& margin(const Verdict& verdict, std::string_view name) {
     return *found;
 }
 
+// six patterns of 50 ms that are alike to 0.96: 20.1 of them a second are known to 0.3
+TEST(ContactRules, APatternNearItsLeastRepetitionIsUndecided) {
+    const Verdict near = classify(pattern(3, 1.0 / 20.1, 0.96), {});
+    EXPECT_EQ(near.category, Category::undecided);
+    EXPECT_TRUE(tells(near, "number of patterns per second"));
+    EXPECT_NEAR(margin(near, "squeal_frequency").error.value(), 20.1 * 0.04 / std::sqrt(20.0 / 3.0), 1e-9);
+    EXPECT_EQ(category(pattern(3, 1.0 / 22.0, 0.96)), Category::squeal);
+    EXPECT_EQ(category(pattern(3, 1.0 / 18.0, 0.96)), Category::squeak);
+    Evidence steps = pattern(3, 1.0 / 21.0, 0.999);
+    EXPECT_EQ(category(steps), Category::squeal);
+    steps.coarser = steps.alternation;
+    steps.coarser->period = 1.0 / 20.0;  // at twice the step
+    EXPECT_EQ(category(steps), Category::undecided);
+}
+
 TEST(ContactRules, SlipOnlyIsNone) {
     EXPECT_EQ(category(evidence(1.0, 0.0, 0.0, 0)), Category::none);
     EXPECT_EQ(category(evidence(0.98, 0.01, 1.0)), Category::none);
