@@ -152,7 +152,9 @@ CLI::Validator one_of(const std::vector<std::string>& names) {
 }
 
 void add_threads_option(CLI::App& command, int& threads) {
-    command.add_option("--threads", threads, "number of threads (default: one per processor)")
+    command
+        .add_option("--threads", threads,
+                    "number of threads (default: one per processor); the results do not depend on it")
         ->check(CLI::Range(0, 4096));
 }
 

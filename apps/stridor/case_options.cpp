@@ -25,7 +25,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
 void add_no_early_option(CLI::App& command, CaseOptions& options) {
     command.add_flag_callback(
         "--no-early", [&options] { options.overrides.emplace_back("run.early_ending=never"); },
-        "simulate to the end, even once the rest is proven (run.early_ending=never)");
+        "simulate to the end, even once silence is proven or a limit cycle found (run.early_ending=never)");
 }
 
 void add_runs_options(CLI::App& command, RunsOptions& options) {

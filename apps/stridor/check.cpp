@@ -38,8 +38,8 @@ void check(const CheckOptions& options) {
 
 void add_check(CLI::App& program) {
     auto options = std::make_shared<CheckOptions>();
-    CLI::App* command =
-        program.add_subcommand("check", "Validate a case; print it resolved, with natural frequencies and cost.");
+    CLI::App* command = program.add_subcommand(
+        "check", "Validate a case; print it resolved, with natural frequencies, cost and largest stable time step.");
     add_case_options(*command, options->input);
     command->add_flag("--json", options->json, "print the resolved case as JSON");
     command->footer(

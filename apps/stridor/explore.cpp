@@ -114,15 +114,18 @@ void add_explore(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "explore",
         "Play with the rubbing system in a browser: sliders, charts, motion, sound, and what keeps it quiet.");
-    command->add_option("file", options->file,
-                        "case file (TOML) or link of the page to begin with (default: the paper's squeal)");
+    command->add_option(
+        "file", options->file,
+        "case file (TOML), or what Share, Copy link of another page gave (default: the paper's squeal)");
     command->add_option("--set", options->overrides, "override a key of the file (repeatable)")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command->add_option("--port", options->address.port, "port to listen at (default: any free one)")
         ->check(CLI::Range(0, 65535));
     command->add_flag("--no-browser", options->no_browser, "only print the link");
-    command->add_option("--unix-socket", options->address.unix_socket, "listen at a socket in the file system instead")
+    command
+        ->add_option("--unix-socket", options->address.unix_socket,
+                     "listen at a socket in the file system instead, which belongs to its owner alone")
         ->type_name("PATH");
     command->add_option("--library", options->library, "noise library to show (default: your own, if there is one)")
         ->type_name("FILE");
@@ -130,18 +133,22 @@ void add_explore(CLI::App& program) {
         ->check(CLI::Range(0, 1024));
     command->add_option("--address", options->address.host, "address of this machine to listen at")
         ->capture_default_str();
-    command->add_flag("--allow-remote", options->allow_remote, "let --address be one that other machines reach");
+    command->add_flag("--allow-remote", options->allow_remote,
+                      "let --address be one that other machines reach; the connection is not encrypted");
     command->add_option("--host-name", options->host_names, "name by which other machines ask for it (repeatable)")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_option("--frame", options->frame, "site that may show it in a frame, such as http://localhost:8888")
+    command
+        ->add_option("--frame", options->frame,
+                     "site that may show it in a frame, such as http://localhost:8888; no other may")
         ->type_name("ORIGIN");
     // for who changes the program (explorer/README.md); users have no use for it
     command->add_option("--typescript", options->typescript)
         ->check(one_of(std::vector<std::string>(explorer::typescript_names.begin(), explorer::typescript_names.end())))
         ->group("");
     command->footer(
-        "The page is served to this machine alone, to who has the link; nothing is fetched from anywhere.\n"
+        "The page is served to this machine alone, to who has the link; nothing is fetched from anywhere. Each link "
+        "opens once, and a new one follows.\n"
         "Examples:\n  stridor explore\n  stridor explore door-seal.toml --port 8080 --no-browser\n"
         "  stridor explore 'http://localhost:8080/#preset=squeal&contact.preload=35'\n"
         "  ssh -L 8080:localhost:8080 cluster stridor explore --port 8080 --no-browser");

@@ -6,30 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 namespace stridor::app {
 
 namespace {
 
 constexpr int widest = 100;  // longer lines are hard to read
-
-// "{a,b}" and "INT in [0 - 9]" behind the name of a type, in words
-std::string constraint_text(std::string_view constraint) {
-    if (constraint.starts_with('{')) {
-        std::string choices;
-        for (const char c : constraint.substr(1, constraint.size() - 2))
-            choices += c == ',' ? std::string(", ") : std::string(1, c);
-        return choices;
-    }
-    const std::size_t from = constraint.find("in [");
-    const std::size_t dash = constraint.find(" - ");
-    if (from == std::string_view::npos || dash == std::string_view::npos) return std::string(constraint);
-    const std::string_view low = constraint.substr(from + 4, dash - from - 4);
-    const std::string_view high = constraint.substr(dash + 3, constraint.size() - dash - 4);
-    return std::string(low) + " to " + std::string(high);
-}
 
 // a line of a table: what is too long of its last column goes on below it
 std::string table_line(const std::string& line, std::size_t columns) {
@@ -40,16 +26,53 @@ std::string table_line(const std::string& line, std::size_t columns) {
     return line.substr(0, column) + base::wrapped(line.substr(column), {columns, column, indent});
 }
 
-// an example is one line, whatever its length: it is there to be copied
-bool is_example(const std::string& line) {
-    return line.find("stridor ") != std::string::npos;
+// names of the options in a set that its command shows
+std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options)
+        names.push_back(option->get_name());
+    return names;
 }
 
-std::string names_of(const std::set<CLI::Option*>& options) {
-    std::string names;
-    for (const CLI::Option* option : options)
-        names += (names.empty() ? "" : ", ") + option->get_name();
-    return names;
+// what stands behind the name of a type in words: of "{a,b}" the choices, of "INT in [0 - 9]" the range
+void add_constraint(std::string_view constraint, console::Argument& argument) {
+    if (constraint.starts_with('{')) {
+        argument.choices = CLI::detail::split(std::string(constraint.substr(1, constraint.size() - 2)), ',');
+        return;
+    }
+    const std::size_t from = constraint.find("in [") + 4;
+    const std::size_t dash = constraint.find(" - ");
+    argument.facts.push_back(std::string(constraint.substr(from, dash - from)) + " to " +
+                             std::string(constraint.substr(dash + 3, constraint.size() - dash - 4)));
+}
+
+void add_value(const CLI::Option& option, console::Argument& argument) {
+    const std::string type = option.get_type_name();
+    // "TEXT:{a,b}" and "INT:INT in [0 - 9]", but FROM:TO is a name
+    const std::size_t colon = type.find(':');
+    const std::string_view behind = colon == std::string::npos ? "" : std::string_view(type).substr(colon + 1);
+    const bool is_constraint = behind.starts_with('{') || behind.find(" in [") != std::string_view::npos;
+    argument.value = type.substr(0, is_constraint ? colon : std::string::npos);
+    if (is_constraint) add_constraint(behind, argument);
+    if (!option.get_default_str().empty()) argument.facts.push_back("default: " + option.get_default_str());
+    argument.is_repeated = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+}
+
+console::Argument described(const CLI::Option& option) {
+    console::Argument argument;
+    for (const std::string& name : option.get_snames())
+        argument.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames())
+        argument.names.push_back("--" + name);
+    if (option.get_positional()) argument.names = {option.get_name(true)};
+    argument.sentence = option.get_description();
+    argument.is_required = option.get_required();
+    if (option.get_type_size() != 0) add_value(option, argument);
+    if (option.get_required() && !option.get_positional()) argument.facts.emplace_back("required");
+    if (!option.get_needs().empty()) argument.facts.push_back("needs " + base::listed(names_of(option.get_needs())));
+    if (!option.get_excludes().empty())
+        argument.facts.push_back("not with " + base::listed(names_of(option.get_excludes())));
+    return argument;
 }
 
 }  // namespace
@@ -80,9 +103,9 @@ std::string HelpFormatter::make_footer(const CLI::App* command) const {
     std::string text;
     std::istringstream lines(command->get_footer());
     for (std::string line; std::getline(lines, line);)
-        text += (is_example(line) && line.starts_with("  ") ? line
-                 : line.starts_with("  ")                   ? table_line(line, columns_)
-                                                            : base::wrapped(line, {columns_, 0, 0})) +
+        text += (console::is_example(line) ? line
+                 : line.starts_with("  ")  ? table_line(line, columns_)
+                                           : base::wrapped(line, {columns_, 0, 0})) +
                 "\n";
     return text;
 }
@@ -92,26 +115,20 @@ std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
 }
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
-    std::string name = option->get_name(is_positional, !is_positional);
-    std::string sentence = option->get_description();
-    const auto add = [&](const std::string& fact) { sentence += (sentence.empty() ? "" : "; ") + fact; };
-    if (option->get_type_size() != 0) {
-        const std::string type = option->get_type_name();
-        // "TEXT:{a,b}" and "INT:INT in [0 - 9]", but FROM:TO is a name
-        const std::size_t constraint = type.find_first_of(':');
-        const std::string_view behind =
-            constraint == std::string::npos ? "" : std::string_view(type).substr(constraint + 1);
-        const std::size_t colon =
-            behind.starts_with('{') || behind.find(" in [") != std::string_view::npos ? constraint : std::string::npos;
-        if (!is_positional) name += " " + type.substr(0, colon);
-        if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) name += " ...";
-        if (colon != std::string::npos) add(constraint_text(std::string_view(type).substr(colon + 1)));
-        if (!option->get_default_str().empty()) add("default: " + option->get_default_str());
-        if (option->get_required() && !is_positional) add("required");
-    }
-    if (!option->get_needs().empty()) add("needs " + names_of(option->get_needs()));
-    if (!option->get_excludes().empty()) add("not with " + names_of(option->get_excludes()));
-    return entry(name, sentence);
+    const console::Argument argument = described(*option);
+    std::string name = CLI::detail::join(argument.names, ",");
+    if (!is_positional && !argument.value.empty()) name += " " + argument.value;
+    return entry(name + (argument.is_repeated ? " ..." : ""), console::full_sentence(argument));
+}
+
+console::Command described(const CLI::App& app) {
+    console::Command command{app.get_name(), app.get_description(), app.get_footer()};
+    for (const CLI::Option* option : app.get_options())
+        if (!option->get_group().empty())  // without a group: another spelling
+            (option->get_positional() ? command.arguments : command.options).push_back(described(*option));
+    for (const CLI::App* each : app.get_subcommands({}))
+        command.commands.push_back(described(*each));
+    return command;
 }
 
 }  // namespace stridor::app

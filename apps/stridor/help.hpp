@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/console/command.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -24,5 +26,8 @@ private:
 
     std::size_t columns_;
 };
+
+/// Returns what help, manual page and completion tell of a command and of all below it.
+console::Command described(const CLI::App& app);
 
 }  // namespace stridor::app

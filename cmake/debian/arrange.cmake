@@ -12,6 +12,8 @@ endif()
 
 file(RENAME "${usr}/share/doc/stridor/LICENSE" "${usr}/share/doc/stridor/copyright")
 
+file(RENAME "${usr}/share/zsh/site-functions" "${usr}/share/zsh/vendor-completions")
+
 foreach(file IN ITEMS share/man/man1/stridor.1 share/doc/stridor/CHANGELOG.md)
     execute_process(COMMAND gzip -9n "${usr}/${file}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

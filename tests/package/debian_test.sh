@@ -69,12 +69,12 @@ cmake -S "$consumer" -B consumer -DCMAKE_BUILD_TYPE=Release >cmake.txt 2>&1 || {
 cmake --build consumer >cmake.txt 2>&1 || { cat cmake.txt; fail "cannot be linked"; }
 ./consumer/consumer >/dev/null
 
-echo "the manual page, the completion, the documents"
+echo "the manual page, the completions, the documents"
 # small machines are set up to leave documents away
 dpkg-deb -x "$packages"/stridor_*.deb content
 zcat content/usr/share/man/man1/stridor.1.gz | grep -q '^\.TH' || fail "no manual page"
-for file in bash-completion/completions/stridor doc/stridor/copyright doc/stridor/docs/guide/getting-started.md \
-    stridor/cases/squeal.toml; do
+for file in bash-completion/completions/stridor zsh/vendor-completions/_stridor fish/vendor_completions.d/stridor.fish \
+    doc/stridor/copyright doc/stridor/docs/guide/getting-started.md stridor/cases/squeal.toml; do
     [ -s "content/usr/share/$file" ] || fail "no $file"
 done
 dpkg --verify stridor >verify.txt

@@ -100,11 +100,6 @@ TEST(Cases, ShippedFilesAreWhatInitPrints) {
             << kind;
 }
 
-TEST(Completion, ShippedScriptIsWhatTheProgramPrints) {
-    EXPECT_EQ(stridor::support::read_text(STRIDOR_SOURCE_DIR "/completions/stridor.bash"),
-              run({"completion", "bash"}).out);
-}
-
 TEST(Check, PrintsTheResolvedCaseFrequenciesAndCost) {
     const Finished finished = run({"check", "-"}, {}, run({"init", "squeal"}).out);
     EXPECT_EQ(finished.exit_code, 0) << finished.err;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -84,25 +85,39 @@ std::string words(const std::vector<std::string>& command) {
     return command.size() == 1 ? "stridor " + command[0] : command[0] + " " + command[1];
 }
 
-std::string without_backslashes(std::string text) {
-    std::erase(text, '\\');
-    return text;
+// the manual page without what makes words bold and signs plain
+std::string manual() {
+    std::string page = run({"manual"}).out;
+    for (const std::string escape : {"\\fB", "\\fI", "\\fP", "\\fR", "\\"})
+        for (std::size_t at = page.find(escape); at != std::string::npos; at = page.find(escape, at))
+            page.erase(at, escape.size());
+    return page;
 }
 
-// what the manual says of all commands of one first word, and of options that many have
-std::string sections_on(const std::string& manual, const std::string& first_word) {
-    const std::size_t common = manual.find("\n.SH OPTIONS");
-    std::string text = manual.substr(common, manual.find("\n.SH ", common + 1) - common);
-    for (std::size_t at = manual.find("\n.SS "); at != std::string::npos; at = manual.find("\n.SS ", at + 1)) {
-        const std::string section = manual.substr(at, manual.find("\n.S", at + 1) - at);
-        const std::string title = section.substr(0, section.find('\n', 1)) + " ";
-        if (contains(title, ".SS " + first_word + " ") || contains(title, ", " + first_word + " ")) text += section;
-    }
-    return text;
+// what the manual says of a command; empty: nothing
+std::string section_on(const std::string& manual, const std::vector<std::string>& command) {
+    const std::string title = "\n.SS " + command[0] + (command.size() > 1 ? " " + command[1] : "");
+    for (std::size_t at = manual.find(title); at != std::string::npos; at = manual.find(title, at + 1))
+        if (const char next = manual[at + title.size()]; next == '\n' || next == ' ')
+            return manual.substr(at, manual.find("\n.S", at + 1) - at);
+    return "";
 }
 
 bool is_among(const std::vector<std::string>& options, const std::string& option) {
     return std::find(options.begin(), options.end(), option) != options.end();
+}
+
+// how much stands below the line that names an option [1]
+std::size_t length_of_sentence(const std::string& section, const std::string& option) {
+    for (std::size_t at = section.find("\n.TP\n"); at != std::string::npos; at = section.find("\n.TP\n", at + 1)) {
+        std::istringstream lines(section.substr(at + 5));
+        std::string names;
+        std::string sentence;
+        std::getline(lines, names);
+        std::getline(lines, sentence);
+        if (is_among(options_named_in(names), option)) return sentence.starts_with('.') ? 0 : sentence.size();
+    }
+    return 0;
 }
 
 void expect_answer(const std::vector<std::string>& arguments, const std::string& answer) {
@@ -130,25 +145,40 @@ TEST(Usage, ThereAreCommandsAndSubcommands) {
 }
 
 TEST(Usage, ManualGuideAndCompletionNameEveryCommand) {
-    const std::string manual = without_backslashes(read_text(STRIDOR_SOURCE_DIR "/man/stridor.1"));
+    const std::string page = manual();
     const std::string guide = read_text(STRIDOR_SOURCE_DIR "/docs/guide/commands.md");
-    const std::string completion = run({"completion", "bash"}).out;
     for (const std::vector<std::string>& command : all_commands()) {
-        EXPECT_TRUE(contains(manual, words(command))) << "man/stridor.1 lacks " << words(command);
+        EXPECT_NE(section_on(page, command), "") << "the manual lacks " << words(command);
         EXPECT_TRUE(contains(guide, words(command))) << "docs/guide/commands.md lacks " << words(command);
-        EXPECT_TRUE(contains(completion, command.back())) << "the completion lacks " << words(command);
+        std::vector<std::string> typed{"completion", "bash", "--"};
+        typed.insert(typed.end(), command.begin(), command.end());
+        EXPECT_TRUE(contains(run(typed).out, "\n" + command.back() + "\t"))
+            << "the completion lacks " << words(command);
     }
 }
 
-TEST(Usage, TheManualExplainsEveryOptionOfACommand) {
-    const std::string manual = without_backslashes(read_text(STRIDOR_SOURCE_DIR "/man/stridor.1"));
-    for (const std::vector<std::string>& command : all_commands()) {
-        const std::vector<std::string> explained = options_named_in(sections_on(manual, command[0]));
+TEST(Usage, TheManualHasASentenceOnEveryOptionOfACommand) {
+    const std::string page = manual();
+    for (const std::vector<std::string>& command : all_commands())
         for (const std::string& option : options_of(command))
-            EXPECT_TRUE(is_among(explained, option)) << "man/stridor.1 lacks " << words(command) << " " << option;
+            EXPECT_GT(length_of_sentence(section_on(page, command), option), 5U)
+                << "the manual says nothing of " << words(command) << " " << option;
+}
+
+// a line that begins with a dot is a request, and none is misspelt
+TEST(Usage, TheManualIsMadeOfKnownRequests) {
+    const std::vector<std::string> known{".TH", ".SH", ".SS", ".TP", ".PP", ".RS", ".RE", ".EX",
+                                         ".EE", ".B",  ".I",  ".BR", ".IR", ".RI", ".br"};
+    std::istringstream lines(run({"manual"}).out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_FALSE(line.empty());
+        EXPECT_FALSE(line.starts_with('\'')) << line;
+        EXPECT_TRUE(!line.starts_with('.') || is_among(known, line.substr(0, line.find(' ')))) << line;
+        EXPECT_EQ(line.find("\t"), std::string::npos) << line;
     }
 }
 
+// STRIDOR_UPDATE_GUIDE=1 writes the table anew
 TEST(Usage, TheGuideListsTheOptionsOfEveryCommand) {
     std::string table = "| command | options |\n| --- | --- |\n";
     for (const std::vector<std::string>& command : all_commands()) {
@@ -158,19 +188,26 @@ TEST(Usage, TheGuideListsTheOptionsOfEveryCommand) {
         table += "| `" + command[0] + (command.size() > 1 ? " " + command[1] : "") + "` | " +
                  (options.empty() ? "none" : options) + " |\n";
     }
-    EXPECT_TRUE(read_text(STRIDOR_SOURCE_DIR "/docs/guide/commands.md").ends_with(table))
-        << "docs/guide/commands.md must end with\n\n"
-        << table;
+    const std::string page = STRIDOR_SOURCE_DIR "/docs/guide/commands.md";
+    const std::string guide = read_text(page);
+    if (std::getenv("STRIDOR_UPDATE_GUIDE") != nullptr)
+        write_text(page, guide.substr(0, guide.find(table.substr(0, table.find('\n')))) + table);
+    EXPECT_TRUE(read_text(page).ends_with("\n\n" + table)) << page << " must end with\n\n" << table;
 }
 
 TEST(Usage, ManualAndGuideNameNoOptionThatNoCommandHas) {
-    std::vector<std::string> known{"--help", "--version"};
+    std::vector<std::string> known{"--help", "--version", "--array"};  // the last is one of sbatch
     for (const std::vector<std::string>& command : all_commands())
         for (const std::string& option : options_of(command))
             known.push_back(option);
-    for (const std::string page : {"/man/stridor.1", "/docs/guide/commands.md"})
-        for (const std::string& option : options_named_in(without_backslashes(read_text(STRIDOR_SOURCE_DIR + page))))
-            EXPECT_TRUE(is_among(known, option)) << page << " names " << option;
+    for (const std::string& page : {manual(), read_text(STRIDOR_SOURCE_DIR "/docs/guide/commands.md")})
+        for (const std::string& option : options_named_in(page))
+            EXPECT_TRUE(is_among(known, option)) << option;
+}
+
+TEST(Usage, ACompletionIsTheScriptThatIsInstalled) {
+    for (const std::string shell : {"bash", "zsh", "fish"})
+        EXPECT_EQ(run({"completion", shell}).out, read_text(STRIDOR_SOURCE_DIR "/completions/stridor." + shell));
 }
 
 TEST(Usage, HelpOfEveryCommandFitsItsColumns) {

@@ -85,15 +85,16 @@ void add_advise(CLI::App& program) {
     add_case_options(*advise_command, command->input);
     advise_command
         ->add_option("--over", command->over,
-                     "change only this quantity, within its usual range or FROM:TO (repeatable); without it, all that "
-                     "have a usual range")
+                     "change only this quantity, within its usual range (a tenth to ten times the design's value) or "
+                     "FROM:TO (repeatable); without it, all that have a usual range, but none of the drive")
         ->type_name("KEY[=FROM:TO]")
         ->allow_extra_args(false);
     advise_command
         ->add_option(
             "--tolerance", command->tolerances,
-            "chance of noise if a quantity lies within +-AMOUNT: preload=10%, \"mu_d=0.05 normal\" (repeatable); "
-            "without it, of a quiet design, within the usual tolerances of parts")
+            "chance of noise if a quantity lies within +-AMOUNT, evenly spread: preload=10%; with a third of it as "
+            "standard deviation: \"mu_d=0.05 normal\" (repeatable); without it, of a quiet design, within the usual "
+            "tolerances of parts")
         ->type_name("KEY=AMOUNT")
         ->allow_extra_args(false);
     advise_command->add_option("--samples", command->samples, "designs sampled within the tolerances")
@@ -104,6 +105,8 @@ void add_advise(CLI::App& program) {
     add_threads_option(*advise_command, command->threads);
     add_json_option(*advise_command, command->json, "stridor.advice/1");
     advise_command->footer(
+        "The change is verified by running it. A quiet design is told with the nearest change of one quantity that "
+        "ends the silence, within 5 %, and with its chance of noise.\n"
         "Examples:\n  stridor advise squeal.toml\n"
         "  stridor advise squeal.toml --over preload=5:50 --over kinetic_friction\n"
         "  stridor advise quiet.toml --tolerance preload=10% --tolerance \"mu_d=0.05 normal\"");

@@ -131,7 +131,7 @@ void add_chart(CLI::App& program) {
         ->type_name("NAME,...");
     add_threads_option(*command, options->threads);
     command->add_flag("--preview", options->preview,
-                      "a quick look: at most 64 by 64 points, refined, a part of the time simulated");
+                      "a quick look: at most 64 by 64 points, refined, of a constant drive a quarter of the time");
     CLI::Option* json =
         add_json_option(*command, options->json, "stridor.chart/1", "print the chart as one JSON document");
     CLI::Option* share =
@@ -156,6 +156,8 @@ void add_chart(CLI::App& program) {
         ->type_name("TIME")
         ->needs(slurm);
     command->footer(
+        "The case's own values are marked as the design. The key chart.refine (0 to 6) computes cells closely only "
+        "where they differ; chart.starts runs each from several starts and shows the worst.\n"
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
         "of work.\n"
         "Examples:\n  stridor chart squeal.toml --x preload=1:40 --y mu_d=0.2:0.8 --out pair\n"

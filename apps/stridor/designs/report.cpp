@@ -187,7 +187,9 @@ void add_report(CLI::App& program) {
     add_runs_options(*command, options->runs);
     add_threads_option(*command, options->threads);
     command->footer(
-        "The page needs nothing else: no script, no other file, no network. A PDF is printed by a browser or "
+        "The page has the verdict with its margin both ways, a chart around the design and what to change; sounds, "
+        "pictures, figures and the case follow. It needs nothing else: no script, no other file, no network. A PDF is "
+        "printed by a browser or "
         "wkhtmltopdf. Its date is today's, or that of SOURCE_DATE_EPOCH.\n"
         "Examples:\n  stridor report squeal.toml -o report.html\n  stridor report squeal.toml --author \"M. Weber\" "
         "--part 51.3372-2 -o report.pdf\n"

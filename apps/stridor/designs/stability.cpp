@@ -59,16 +59,17 @@ void add_stability(CLI::App& program) {
         "stability", "Complex eigenvalues of steady sliding: mode coupling (flutter) and sprag-slip (divergence).");
     add_case_options(*command, options->input);
     command
-        ->add_option("--over", options->over,
-                     "follow a parameter: contact.kinetic_friction=0:0.8[:POINTS]; ends may carry units")
+        ->add_option(
+            "--over", options->over,
+            "follow a parameter and bisect the boundaries between kinds: contact.kinetic_friction=0:0.8; ends may "
+            "carry units")
         ->type_name("KEY=FROM:TO[:POINTS]");
-    CLI::Option* figure =
-        command
-            ->add_option("--figure", options->figure,
-                         "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf (needs --over)")
-            ->type_name("FILE")
-            ->check(in_a_folder())
-            ->needs("--over");
+    CLI::Option* figure = command
+                              ->add_option("--figure", options->figure,
+                                           "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf")
+                              ->type_name("FILE")
+                              ->check(in_a_folder())
+                              ->needs("--over");
     add_sheet_options(*command, options->sheet, figure);
     command
         ->add_option("--csv", options->csv,
@@ -79,7 +80,8 @@ void add_stability(CLI::App& program) {
                       "say what the modes that grow are made of, and which contact feeds them");
     add_json_option(*command, options->json, "stridor.stability/1");
     command->footer(
-        "The linear analysis says where steady sliding cannot last; a sliding contact that is stable may still be "
+        "Steady sliding going and coming is stable, flutter (mode coupling), divergence or locked (sprag-slip). The "
+        "linear analysis says where steady sliding cannot last; a sliding contact that is stable may still be "
         "noisy when started otherwise.\n"
         "Examples:\n  stridor stability squeal.toml\n  stridor stability squeal.toml --over "
         "contact.kinetic_friction=0:0.8 --figure modes.png\n"

@@ -189,8 +189,8 @@ void add_remove(CLI::App& library) {
 void add_words(CLI::App& library) {
     auto options = std::make_shared<WordsOptions>();
     CLI::App* command = library.add_subcommand(
-        "words", "Print the words of a field, usual ones and those in the library, a line each (for completion).");
-    command->add_option("field", options->field, "name of a field, or id")->required();
+        "words", "Print the words of a field, usual ones and those in the library, a line each.");
+    command->add_option("field", options->field, "name of a field, or id")->type_name("FIELD")->required();
     add_library_option(*command, options->library);
     command->callback([options] { words(*options); });
 }

@@ -152,8 +152,8 @@ void add_library_add(CLI::App& library) {
                     "print the new entries and a summary as one JSON document");
     command->footer(
         "What is known already is skipped, what is broken refused, and the others added; exit code 2 if any was "
-        "refused. Of a "
-        "folder those files are taken, at any depth, whose names end as recordings do.\n"
+        "refused, 4 after an interrupt: the same command goes on. Of a folder those files are taken, at any depth, "
+        "whose names end as recordings do.\n"
         "What the file says of itself (lines \"# preload: 20 N\", the sidecar, a simulation's case) counts where no "
         "option says it.\n"
         "Examples:\n  stridor library add squeal.wav --system brake --recorded vehicle --full-scale \"2 Pa\"\n"

@@ -48,7 +48,8 @@ void add_analyse(CLI::App& program) {
     auto options = std::make_shared<AnalyseOptions>();
     CLI::App* command = program.add_subcommand(
         "analyse",
-        "Level over time, spectrum, bands, loudness and features of a recording, and a figure with its spectrogram.");
+        "Level over time, spectrum, bands, segments and features of a recording, of one in Pa loudness, sharpness and "
+        "roughness; and a figure with its spectrogram.");
     add_sound_options(*command, options->input);
     command->add_flag("--a-weighting", options->weighted, "A-weighted levels even where the unit is not Pa");
     command

@@ -162,6 +162,7 @@ void add_evaluate(CLI::App& program) {
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json, "stridor.evaluate/1");
     command->footer(
+        "Told are Table 1, confusion tables, even and odd cells apart, and what noise, gains, rates and bands change.\n"
         "Ctrl-C stops and keeps what was heard so far (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor evaluate\n  stridor evaluate --planes soft\n  stridor evaluate pair.toml --set "
         "joint.incidence_angle=50 --csv sounds.csv\n"

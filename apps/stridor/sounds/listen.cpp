@@ -125,7 +125,9 @@ void add_listen(CLI::App& program) {
         ->capture_default_str();
     command->add_flag("--json", options->json, "print what was made as JSON (schema stridor.listen/1)");
     command->footer(
-        "The sound is the motion itself, in m/s or m/s^2: no sound pressure. The file says what its full scale is.\n"
+        "It is played by the first of " + console::known_players() +
+        " that is on the PATH. The sound is the motion itself, in m/s or m/s^2: no sound pressure. The file says what "
+        "its full scale is.\n"
         "Examples:\n  stridor listen squeal.toml\n  stridor listen creak.toml -o creak.wav --quantity acceleration\n"
         "  stridor listen pair.toml --cell \"x=20 N,y=0.6\" --direction going --seconds 3\n"
         "  stridor listen squeal.toml --of plate --level absolute --full-scale \"0.5 m/s\" -o plate.wav");

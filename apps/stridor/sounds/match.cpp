@@ -140,12 +140,13 @@ void add_match(CLI::App& program) {
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command->add_flag("--every", options->every,
-                      "listen to every cell; otherwise a large chart is searched from a coarse grid on");
+                      "listen to every cell; otherwise a chart of more than 400 is searched from a coarse grid on");
     command
         ->add_option("--store", options->store,
                      "chart.sqlite of this chart: cells it knows to be quiet or failed are left out")
         ->type_name("FILE");
-    add_output_folder(*command, options->out, "folder for the best cells as WAV, a figure beside the recording, JSON");
+    add_output_folder(*command, options->out,
+                      "folder for the best cells as WAV, the first three beside the recording as a figure, and JSON");
     command->add_flag("--with-level", options->with_level,
                       "count the level, too; only for a recorded velocity or acceleration");
     add_threads_option(*command, options->threads);

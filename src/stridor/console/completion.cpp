@@ -1,137 +1,164 @@
 #include "stridor/console/completion.hpp"
 
-#include "stridor/io/case/ready_files.hpp"
+#include "stridor/noise_library/field.hpp"
+#include "stridor/noise_library/listing.hpp"
 #include "stridor/parameters/field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <variant>
 
 namespace stridor::console {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : " ") + word;
-    return text;
+#include "stridor/console/completion_scripts.inc"
+
+using Meanings = std::vector<std::pair<std::string, std::string>>;
+
+const Argument* find_option(const Command& command, const std::string& name) {
+    for (const Argument& option : command.options)
+        if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) return &option;
+    return nullptr;
 }
 
-// keys of the field table with "=", for --set
-std::vector<std::string> settings() {
-    std::vector<std::string> words;
-    for (const parameters::Field& field : parameters::fields())
-        words.push_back(parameters::key_of(field) + "=");
-    return words;
-}
-
-// keys of quantities with "=", for --over and --tolerance
-std::vector<std::string> quantities() {
-    std::vector<std::string> words = parameters::quantity_keys();
-    for (std::string& word : words)
-        word += "=";
-    return words;
-}
-
-// options of each subcommand of a command that has them, as cases of the second word
-std::string subcommand_cases(const CommandWords& command) {
-    std::string cases;
-    for (const CommandWords& each : command.subcommands)
-        cases += "            " + each.name + ") options=\"" + joined(each.options) + "\" ;;\n";
-    return cases;
-}
-
-std::vector<std::string> names_of(const std::vector<CommandWords>& commands) {
-    std::vector<std::string> names;
-    for (const CommandWords& command : commands)
-        names.push_back(command.name);
-    return names;
-}
-
-// commands of two words; and what only the library itself knows, asked when it is needed
-std::string nested_commands(const std::vector<CommandWords>& commands) {
-    std::string text;
-    for (const CommandWords& command : commands) {
-        if (command.subcommands.empty()) continue;
-        text += "    if [[ ${COMP_WORDS[1]} == " + command.name +
-                " ]]; then\n"
-                "        if ((COMP_CWORD == 2)); then\n"
-                "            COMPREPLY=($(compgen -W \"" +
-                joined(names_of(command.subcommands)) +
-                " --help\" -- \"$word\"))\n"
-                "            return\n"
-                "        fi\n"
-                "        case ${COMP_WORDS[2]} in\n" +
-                subcommand_cases(command) +
-                "        esac\n"
-                "    fi\n";
+// bash parts words at "="
+std::vector<std::string> joined(const std::vector<std::string>& words) {
+    std::vector<std::string> whole;
+    bool is_open = false;
+    for (const std::string& word : words) {
+        if (whole.empty() || !(is_open || word == "="))
+            whole.push_back(word);
+        else
+            whole.back() += word;
+        is_open = word == "=";
     }
-    return text;
+    return whole.empty() ? std::vector<std::string>{""} : whole;
 }
 
-constexpr const char* library_words =
-    "    if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then\n"
-    "        local field=\"\" line place library=()\n"
-    "        for ((place = 2; place < COMP_CWORD; place++)); do\n"
-    "            [[ ${COMP_WORDS[place]} == --library ]] && library=(--library \"${COMP_WORDS[place+1]}\")\n"
-    "        done\n"
-    "        case $previous in\n"
-    "            --system|--parts|--materials|--operation|--recorded|--denomination|--sensor|--author|--licence) "
-    "field=${previous#--} ;;\n"
-    "            --*) ;;\n"
-    "            *) [[ ${COMP_WORDS[2]} == @(show|edit|judge|remove) ]] && field=id ;;\n"
-    "        esac\n"
-    "        if [[ -n $field ]]; then\n"
-    "            COMPREPLY=()\n"
-    "            while IFS= read -r line; do\n"
-    "                [[ $line == \"$word\"* ]] && COMPREPLY+=(\"$(printf '%q' \"$line\")\")\n"
-    "            done < <(\"${COMP_WORDS[0]}\" library words \"$field\" \"${library[@]}\" 2>/dev/null)\n"
-    "            return\n"
-    "        fi\n"
-    "    fi\n";
+// the words that came behind a command, by what they are
+struct Typed {
+    std::size_t by_place = 0;          // how many words by their place
+    std::vector<std::string> options;  // those that are there already
+    const Argument* last = nullptr;    // the option that the next word belongs to; null: none
+    std::string library;               // behind --library
+};
+
+Typed typed(const Command& command, const std::vector<std::string>& words, std::size_t from) {
+    Typed typed;
+    for (std::size_t k = from; k + 1 < words.size(); ++k) {
+        const std::string& word = words[k];
+        if (typed.last != nullptr) {
+            if (typed.last->names.back() == "--library") typed.library = word;
+            typed.last = nullptr;
+        } else if (!word.starts_with('-') || word == "-") {
+            ++typed.by_place;
+        } else if (const Argument* option = find_option(command, word)) {
+            if (!option->is_repeated) typed.options.push_back(option->names.back());
+            if (!option->value.empty()) typed.last = option;
+        }
+    }
+    return typed;
+}
+
+// keys with their sentences; of all fields for --set, else those of quantities
+Meanings keys(bool is_setting) {
+    Meanings words;
+    for (const parameters::Field& field : parameters::fields())
+        if (is_setting || std::holds_alternative<parameters::Quantity>(field.kind))
+            words.emplace_back(parameters::key_of(field) + "=", field.sentence);
+    return words;
+}
+
+Meanings library_words(const std::string& library, const std::string& field) {
+    Meanings words;
+    for (const std::string& word : noise_library::words_to_choose(library, field))
+        words.emplace_back(word, "");
+    return words;
+}
+
+// what may be the value of an option, or an argument by its place
+Completions values(const Argument& argument, bool is_of_library, const std::string& library) {
+    Completions found;
+    for (const std::string& choice : argument.choices)
+        found.words.emplace_back(choice, "");
+    if (!found.words.empty()) return found;
+    if (argument.value.starts_with("KEY")) return {.words = keys(argument.value == "KEY=VALUE")};
+    if (is_of_library && argument.names.front() == "ids") return {.words = library_words(library, "id")};
+    for (const noise_library::EntryField& field : noise_library::fields())
+        if (is_of_library && argument.value == "TEXT" && argument.names.back() == noise_library::option_of(field))
+            return {.words = library_words(library, std::string(field.name))};
+    for (const char* folder : {"DIR", "FOLDER"})
+        if (argument.value == folder) found.also = Completions::Also::folders;
+    for (const char* file : {"FILE", "FILE.inp", "PATH", "CASE"})
+        if (argument.value == file) found.also = Completions::Also::files;
+    if (!argument.names.front().starts_with('-') && argument.value == "TEXT") found.also = Completions::Also::files;
+    return found;
+}
+
+Completions options_of(const Command& command, const Typed& typed) {
+    Completions found;
+    for (const Argument& option : command.options)
+        if (std::find(typed.options.begin(), typed.options.end(), option.names.back()) == typed.options.end())
+            found.words.emplace_back(option.names.back(), option.sentence);
+    return found;
+}
+
+// what may stand there, whatever its beginning
+Completions all_completions(const Command& program, const std::vector<std::string>& words) {
+    const bool is_help = words.size() > 1 && words.front() == "help";
+    const Command* command = &program;
+    std::size_t from = is_help ? 1 : 0;
+    for (; from + 1 < words.size(); ++from) {
+        const auto named = std::find_if(command->commands.begin(), command->commands.end(),
+                                        [&](const Command& each) { return each.name == words[from]; });
+        if (named == command->commands.end()) break;
+        command = &*named;
+    }
+    const Typed before = typed(*command, words, from);
+    const std::string& begun = words.back();
+    const bool is_of_library = words.front() == "library";
+    if (before.last != nullptr) return values(*before.last, is_of_library, before.library);
+    if (const std::size_t sign = begun.find('='); begun.starts_with("--") && sign != std::string::npos) {
+        Completions found;
+        if (const Argument* option = find_option(*command, begun.substr(0, sign)))
+            found = values(*option, is_of_library, before.library);
+        for (auto& [word, meaning] : found.words)
+            word.insert(0, begun.substr(0, sign + 1));
+        return found;
+    }
+    if (begun.starts_with('-')) return options_of(*command, before);
+    Completions found;
+    for (const Command& each : command->commands)
+        found.words.emplace_back(each.name, each.sentence);
+    if (command == &program && !is_help) found.words.emplace_back("help", "Print the help of a command.");
+    if (!found.words.empty() || command->arguments.empty() || is_help) return found;
+    const std::size_t place = std::min(before.by_place, command->arguments.size() - 1);
+    if (place < before.by_place && !command->arguments[place].is_repeated) return found;
+    return values(command->arguments[place], is_of_library, before.library);
+}
 
 }  // namespace
 
-std::string bash_completion(const std::vector<CommandWords>& commands) {
-    std::string cases;
-    for (const CommandWords& command : commands)
-        cases += "        " + command.name + ") options=\"" + joined(command.options) + "\" ;;\n";
-    return "# bash completion of stridor; made by `stridor completion bash`\n"
-           "_stridor() {\n"
-           "    local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=\"\"\n"
-           "    if ((COMP_CWORD == 1)); then\n"
-           "        COMPREPLY=($(compgen -W \"" +
-           joined(names_of(commands)) +
-           " help --help --version\" -- \"$word\"))\n"
-           "        return\n"
-           "    fi\n"
-           "    if [[ $previous == --set ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"" +
-           joined(settings()) +
-           "\" -- \"$word\"))\n"
-           "        compopt -o nospace\n"
-           "        return\n"
-           "    fi\n"
-           "    if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"" +
-           joined(quantities()) +
-           "\" -- \"$word\"))\n"
-           "        compopt -o nospace\n"
-           "        return\n"
-           "    fi\n"
-           "    if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"" +
-           joined(io::ready_file_names()) +
-           "\" -- \"$word\"))\n"
-           "        return\n"
-           "    fi\n"
-           "    case ${COMP_WORDS[1]} in\n" +
-           cases + "    esac\n" + nested_commands(commands) + library_words +
-           "    if [[ $word == -* ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
-           "    else\n"
-           "        COMPREPLY=($(compgen -f -- \"$word\"))\n"
-           "        compopt -o filenames\n"
-           "    fi\n"
-           "}\n"
-           "complete -F _stridor stridor\n";
+Completions completions(const Command& program, const std::vector<std::string>& words) {
+    const std::vector<std::string> whole = joined(words);
+    Completions found = all_completions(program, whole);
+    std::erase_if(found.words, [&](const auto& each) { return !each.first.starts_with(whole.back()); });
+    return found;
+}
+
+std::string completion_lines(const Completions& completions) {
+    constexpr std::array names{"nothing\n", "files\n", "folders\n"};
+    std::string lines = names.at(static_cast<std::size_t>(completions.also));
+    for (const auto& [word, meaning] : completions.words)
+        if (word.find_first_of("\n\t") == std::string::npos) lines += word + "\t" + meaning + "\n";
+    return lines;
+}
+
+std::string completion_script(const std::string& shell) {
+    const auto text = [](const auto& bytes) { return std::string(std::begin(bytes), std::end(bytes)); };
+    return shell == "zsh" ? text(stridor_zsh) : shell == "fish" ? text(stridor_fish) : text(stridor_bash);
 }
 
 }  // namespace stridor::console
