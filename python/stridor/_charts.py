@@ -123,7 +123,7 @@ class Chart:
         return self._handle.figure(name)
 
     def counts(self, direction: Optional[str] = None) -> Dict[str, int]:
-        """How many cells there are of each category.
+        """How many cells there are of each category; "locks" are those of "none" whose contact locks.
 
         Examples
         --------
@@ -133,7 +133,8 @@ class Chart:
         >>> sum(chart.counts().values())
         32
         """
-        categories = self.categories()
+        locks = self.numbers("quiet_because") == _stridor.words["quiet_because"].index("locks")
+        categories = numpy.where(locks, "locks", self.categories())
         chosen = categories if direction is None else categories[self._direction(direction)]
         names, numbers = numpy.unique(chosen, return_counts=True)
         return {str(name): int(number) for name, number in zip(names, numbers)}

@@ -128,7 +128,12 @@ class Phase(_fields.Figures):
         return dict(self._figures)
 
     def __repr__(self) -> str:
-        return f"<phase {self.name}: {self.category}, {self.frequency:.4g} Hz>"
+        return f"<phase {self.name}: {_word(self)}, {self.frequency:.4g} Hz>"
+
+
+def _word(phase: Phase) -> str:
+    """Return how a phase is called in one word: a contact that locks is silent, and no quiet one."""
+    return "locks" if phase.verdict.quiet_because == "locks" else phase.category
 
 
 class Motion:
@@ -288,7 +293,7 @@ class Motion:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"<motion of {self.case.title!r}: " + ", ".join(f"{p.name} {p.category}" for p in self.phases) + ">"
+        return f"<motion of {self.case.title!r}: " + ", ".join(f"{p.name} {_word(p)}" for p in self.phases) + ">"
 
     def _repr_html_(self) -> str:
         rows = [(_html.escaped(phase.name), _html.badge(phase.category), f"{phase.slip:.1%}", f"{phase.stick:.1%}",

@@ -231,6 +231,15 @@ std::string pattern_text(const analysis::Evidence& evidence, const JudgedFigures
                        evidence.alternation.lag, often, figures.repetition.value);
 }
 
+// Does a contact that nearly always slips end that again and again? Not while an event dies away: its beats fill half of
+// the judged time at least.
+bool keeps_alternating(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
+    constexpr double least_filled = 0.5;
+    const auto intervals = static_cast<double>(evidence.alternation.intervals);
+    return intervals >= thresholds.least_intervals &&
+           intervals >= least_filled * evidence.judged_time * evidence.alternation.frequency;
+}
+
 Decision alternating(const analysis::Evidence& evidence, const JudgedFigures& figures,
                      const parameters::Thresholds& thresholds) {
     const Side often = side_of(figures.pattern_frequency, thresholds.squeal_frequency, thresholds);
@@ -283,13 +292,15 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     if (grows && rates.slip >= 1.0) return decide(growing(evidence.ending.outlook));
     const Side slides = side_of(figures.slip, thresholds.quiet_slip, thresholds);
     if (slides == Side::open) return decide(doubted("slip share", figures.slip, thresholds.quiet_slip, "quiet_slip"));
-    if (slides == Side::above && !grows)
+    const bool alternates = keeps_alternating(evidence, thresholds);
+    if (slides == Side::above && !grows && !alternates)
         return decide(none(Quiet::slides,
                            fmt::format("{} of the judged time, and nothing alternates", percent_text(rates.slip))));
     if (rates.stick >= 1.0) return decide(stuck(evidence, thresholds));
-    verdict.reasons.push_back(slides == Side::above
-                                  ? growth_text(evidence.ending.outlook)
-                                  : fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
+    verdict.reasons.push_back(
+        slides != Side::above ? fmt::format("slips only {} of the judged time", percent_text(rates.slip))
+        : grows               ? growth_text(evidence.ending.outlook)
+                : fmt::format("slips {} of the judged time, but ends that again and again", percent_text(rates.slip)));
     const Side sticks = side_of(figures.stick, thresholds.creak_stick, thresholds);
     const bool may_creak = creak == Creak::possible;
     if (may_creak && sticks == Side::open)

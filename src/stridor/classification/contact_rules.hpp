@@ -18,7 +18,8 @@ enum class Creak { possible, impossible };
 ///     proven to stick for ever, or to slide      none    whatever came before does not come again; what sticks and is
 ///                                                        pressed harder and harder locks (locking.hpp)
 ///     slip share >= quiet_slip                   none    it slides: nothing alternates. Where such sliding grows:
-///                                                        undecided if that is all it does, else by what alternates
+///                                                        undecided if that is all it does, else by what alternates.
+///                                                        Where it ends again and again: by what alternates
 ///     stuck throughout                           none    it sticks or locks, unless it is known to slip later
 ///                                                        (undecided) or
 ///                                                        slips again and again outside the judged part (creak)

@@ -179,6 +179,8 @@ void expect_sound(const ElasticPart& part, LinearSolver by) {
             "both must be of the same model");
     expect_symmetric(part, part.stiffness, "stiffness");
     expect_symmetric(part, part.mass, "mass");
+    if (part.mass.coeffs().size() == 0 || part.mass.coeffs().abs().maxCoeff() == 0.0)
+        refuse_part("the part has no mass", "all entries of its mass are 0", "Is the density missing?");
     if (part.damping.rows() != 0) expect_symmetric(part, part.damping, "damping");
     expect_positive_mass(part, by);
 }

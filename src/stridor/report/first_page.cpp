@@ -162,15 +162,21 @@ std::string tolerance_words(const std::vector<advice::Tolerance>& tolerances) {
     return base::listed(words);
 }
 
+// what is no noise and no silence either
+std::string open_words(const advice::Chance& chance) {
+    const double open = 100.0 * (chance.not_quiet.share - chance.noise.share);
+    return open > 0.0 ? fmt::format(", and {:.2g} % undecided, locking or without a result", open) : "";
+}
+
 Section change_section(const Advice& advice) {
     Section section = advice::is_quiet(advice.present) ? quiet_section(advice) : noisy_section(advice);
     if (advice.chance)
         section.paragraphs.push_back(fmt::format(
-            "Chance of noise: {:.2g} % ({:.2g} to {:.2g} %, 95 % confidence, {} designs), where parts lie anywhere "
+            "Chance of noise: {:.2g} %{} ({:.2g} to {:.2g} %, 95 % confidence, {} designs), where parts lie anywhere "
             "within{} {}.",
-            100.0 * advice.chance->noise.share, 100.0 * advice.chance->noise.low, 100.0 * advice.chance->noise.high,
-            advice.chance->samples, advice.chance->is_default ? " these usual tolerances:" : "",
-            tolerance_words(advice.chance->tolerances)));
+            100.0 * advice.chance->noise.share, open_words(*advice.chance), 100.0 * advice.chance->noise.low,
+            100.0 * advice.chance->noise.high, advice.chance->samples,
+            advice.chance->is_default ? " these usual tolerances:" : "", tolerance_words(advice.chance->tolerances)));
     return section;
 }
 

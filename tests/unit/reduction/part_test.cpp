@@ -94,6 +94,11 @@ TEST(ElasticPart, WithNegativeMassIsRefused) {
     expect_refusal(part, "the mass is negative for some motion (1 of its pivots are negative)");
 }
 
+TEST(ElasticPart, WithoutMassIsRefused) {
+    ElasticPart part = chain_part(4, 1.0, 0.0);
+    expect_refusal(part, "the part has no mass");
+}
+
 TEST(ElasticPart, WithALooseRowIsRefused) {
     ElasticPart part = chain_part(4, 1.0, 1.0);
     part.stiffness.coeffRef(3, 3) = part.stiffness.coeffRef(2, 3) = part.stiffness.coeffRef(3, 2) = 0.0;

@@ -159,6 +159,7 @@ Outcome MasslessRun::run(const std::stop_token& stop) {
         const long end = step_at(spans[k].to, step_);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         std::fill(load_.begin(), load_.end(), record::Load());
+        press(forces_);
         watched_ = 0;
         while (n_ < end) {
             if (record::is_judged(spans[k].use)) watch();

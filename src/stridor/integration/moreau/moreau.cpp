@@ -229,6 +229,7 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
         const long end = step_at(spans[k].to, step_);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         std::fill(load_.begin(), load_.end(), record::Load());
+        press();
         watched_ = 0;
         while (n_ < end) {
             if (n_ % watch_every_ == 0 && record::is_judged(spans[k].use)) watch();

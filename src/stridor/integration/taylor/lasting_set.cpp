@@ -215,9 +215,11 @@ std::vector<record::Outlook> LastingSet::outlooks(std::span<const double> q, std
     std::vector<record::Outlook> known(set_.size());
     if (!is_bounded_) return known;
     const Now here = now(q, v);
+    // before the last change of any contact the forces rose along another line
+    const double changed = *std::max_element(since.begin(), since.end());
     for (const Margin& margin : margins_)
         if (margin.is_normal_force && set_[margin.contact] == ContactMode::stick)
-            known[margin.contact].drag = drag(margin, here, time - since[margin.contact]);
+            known[margin.contact].drag = drag(margin, here, time - changed);
     if (lasts(here)) {
         for (std::size_t k = 0; k < set_.size(); ++k) {
             if (is_slip(set_[k])) known[k] = {Future::slides, time};

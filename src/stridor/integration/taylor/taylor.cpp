@@ -202,6 +202,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
     if (settled != Settled::done) return without_forces(settled);
     tell();
     pass_boundary();
+    double entered = -1.0;  // [s] end of the span whose beginning has been looked at
     for (long blocks = 1; span_ < spans().size(); ++blocks) {
         if (blocks % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
         if (!is_finite()) return {Reason::diverged, time_};
@@ -209,6 +210,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         surface_ = surface(time_);
         block_.expand(state_.q, state_.v, surface_);
         const double boundary = next_boundary();
+        if (std::exchange(entered, boundary) != boundary) press(0.0);
         const double reach = std::min({1.0, block_.reach(), std::max(0.0, (boundary - time_) / step_)});
         const Firing firing = first_firing(reach);
         if (firing.is_lost) return {Reason::diverged, time_};
