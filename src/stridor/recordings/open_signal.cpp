@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/audio/audio.hpp"
 #include "stridor/recordings/audio/compressed_audio.hpp"
+#include "stridor/recordings/channel_survey.hpp"
 #include "stridor/recordings/mat/mat.hpp"
 #include "stridor/recordings/mat/mat_choice.hpp"
 #include "stridor/recordings/recording_files.hpp"
@@ -21,7 +22,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <system_error>
+#include <utility>
 
 namespace stridor::recordings {
 
@@ -100,13 +103,18 @@ std::string label(const signal::Channel& channel, std::size_t index) {
     return channel.name.empty() ? "channel " + std::to_string(index + 1) : "channel \"" + channel.name + "\"";
 }
 
+using Places = std::vector<std::size_t>;  // of channels in the file, from 0
+
 /// Gathers from every origin what a recording's channels are in.
 class Calibrator {
 public:
-    Calibrator(const RawSignal& raw, const OpenOptions& options, const std::optional<Sidecar>& sidecar)
+    /// Full scales are given for one, for all channels of the file, or for those at `places`.
+    Calibrator(const RawSignal& raw, const OpenOptions& options, const std::optional<Sidecar>& sidecar,
+               const Places& places)
         : raw_(raw),
           options_(options),
           sidecar_(sidecar),
+          places_(places),
           described_(calibration_in(raw.description)) {}
 
     void apply(signal::ChannelLayout& layout, SignalFacts& facts) const {
@@ -136,7 +144,11 @@ private:
 
     std::pair<FullScale, Calibration> calibration(std::size_t k, const std::string& written) const {
         const std::vector<FullScale>& given = options_.full_scales;
-        if (!given.empty()) return {given[given.size() == 1 ? 0 : k], Calibration::option};
+        if (given.size() == 1) return {given.front(), Calibration::option};
+        const bool is_for_all = given.size() == raw_.source->layout().channels.size();
+        const auto place = std::find(places_.begin(), places_.end(), k);
+        if (!given.empty() && (is_for_all || place != places_.end()))
+            return {given[is_for_all ? k : static_cast<std::size_t>(place - places_.begin())], Calibration::option};
         const bool has_sidecar = sidecar_ && k < sidecar_->channels.size() && sidecar_->channels[k].full_scale;
         if (has_sidecar) return {*sidecar_->channels[k].full_scale, Calibration::sidecar};
         if (described_) return {*described_, Calibration::description};
@@ -147,6 +159,7 @@ private:
     const RawSignal& raw_;
     const OpenOptions& options_;
     const std::optional<Sidecar>& sidecar_;
+    const Places& places_;
     std::optional<FullScale> described_;
 };
 
@@ -170,10 +183,10 @@ void drop_made_up_names(signal::ChannelLayout& layout) {
         if (layout.channels[k].name == "channel " + std::to_string(k + 1)) layout.channels[k].name.clear();
 }
 
-void check_options(const OpenOptions& options, const signal::ChannelLayout& layout, const std::string& name) {
-    const std::size_t width = layout.channels.size();
+// `width` channels are left of those in the file
+void check_options(const OpenOptions& options, std::size_t width, std::size_t of_file, const std::string& name) {
     const std::size_t given = options.full_scales.size();
-    if (given > 1 && given != width)
+    if (given > 1 && given != width && given != of_file)
         throw refusal(name, std::to_string(given) + " full scales are given",
                       "the recording has " + std::to_string(width) + " channels", "Give one for all or one for each.");
     if (options.channel && (*options.channel < 1 || *options.channel > width))
@@ -181,12 +194,45 @@ void check_options(const OpenOptions& options, const signal::ChannelLayout& layo
                       "the recording has " + std::to_string(width));
 }
 
-// from 1
-std::optional<std::size_t> channel_of(const OpenOptions& options, const signal::ChannelLayout& layout,
-                                      const std::string& name) {
-    if (options.channel_name.empty()) return options.channel;
+Places places_of_all(const signal::ChannelLayout& layout) {
+    Places places(layout.channels.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+}
+
+// the channels that are signals; all where none is
+Places signals_in(RawSignal& raw, const std::optional<Sidecar>& sidecar, SignalFacts& facts) {
+    const signal::ChannelLayout layout = raw.source->layout();
+    const std::vector<ChannelFault> faults = channel_faults(*raw.source);
+    const auto is_signal = [&](std::size_t k) {
+        // a sidecar that gives its unit says that it is one
+        const bool has_unit = sidecar && k < sidecar->channels.size() && sidecar->channels[k].full_scale;
+        const bool is_counter = faults[k].kind == FaultKind::counter;
+        return is_counter ? has_unit || raw.doubt != Doubt::numbers_and_counters : faults[k].kind == FaultKind::none;
+    };
+    Places places = places_of_all(layout);
+    std::erase_if(places, [&](std::size_t k) { return !is_signal(k); });
+    if (places.empty()) return places_of_all(layout);
+    for (const std::size_t k : places_of_all(layout)) {
+        if (is_signal(k)) continue;
+        facts.notes.push_back(label(layout.channels[k], k) + " was left out: it " + faults[k].why);
+        facts.left_out.push_back(label(layout.channels[k], k) + ": " + faults[k].why);
+    }
+    return places;
+}
+
+// what was left out may be asked for by its name; numbers count what is left
+Places picked(const OpenOptions& options, const signal::ChannelLayout& layout, const Places& places,
+              const std::string& name) {
+    if (options.channel) return {places[*options.channel - 1]};
+    if (options.channel_name.empty()) return places;
+    signal::ChannelLayout left{layout.rate, {}, {}};
+    for (const std::size_t k : places)
+        left.channels.push_back(layout.channels[k]);
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        if (layout.channels[k].name == options.channel_name) return {k};
     try {
-        return signal::channel_named(layout, options.channel_name) + 1;
+        return {places[signal::channel_named(left, options.channel_name)]};
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), base::Place{name, 0, 0, ""});
     }
@@ -204,19 +250,20 @@ std::optional<std::string> sidecar_text(const std::string& path) {
 
 }  // namespace
 
-SignalFile::SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts,
-                       std::optional<std::size_t> channel)
+SignalFile::SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts, std::vector<std::size_t> picked)
     : raw_(std::move(raw)),
       layout_(std::move(layout)),
-      facts_(std::move(facts)) {
-    for (std::size_t k = 0; k < layout_.channels.size(); ++k)
-        if (!channel || *channel == k + 1) picked_.push_back(k);
-    if (!channel) return;
-    const std::size_t only = picked_.front();
-    layout_.channels = {layout_.channels[only]};
-    facts_.full_scales = {facts_.full_scales[only]};
-    facts_.calibrations = {facts_.calibrations[only]};
-    facts_.units_in_file = {facts_.units_in_file[only]};
+      facts_(std::move(facts)),
+      picked_(std::move(picked)) {
+    const auto pick = [&](auto& all) {
+        auto whole = std::exchange(all, {});
+        for (const std::size_t k : picked_)
+            all.push_back(whole[k]);
+    };
+    pick(layout_.channels);
+    pick(facts_.full_scales);
+    pick(facts_.calibrations);
+    pick(facts_.units_in_file);
 }
 
 double SignalFile::sample(std::size_t index, std::size_t channel) const {
@@ -240,7 +287,16 @@ std::size_t SignalFile::read(std::span<double> frames) {
     return count;
 }
 
+bool is_recording(std::string_view beginning) {
+    return is_audio(beginning) || is_compressed_audio(beginning) || is_uff(beginning) || is_mat(beginning);
+}
+
 SignalInput open_input(const std::string& path) {
+    if (path.ends_with(".toml"))
+        throw refusal(path, "this is a case, not a recording", "a case is simulated",
+                      fmt::format("`stridor simulate {0}` judges it; `stridor listen {0} -o sound.wav` makes it a "
+                                  "recording.",
+                                  path));
     return {open_bytes(path), path == storage::standard_input ? "standard input" : path, sidecar_text(path)};
 }
 
@@ -251,22 +307,23 @@ std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOpti
     std::optional<Sidecar> sidecar;
     if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));
     SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata, raw.time, raw.left_out};
+    Places places = places_of_all(layout);
+    if (raw.doubt != Doubt::none && places.size() > 1) {
+        places = signals_in(raw, sidecar, facts);
+        raw.source.reset();  // it is at its end
+        raw = open_raw(input, options);
+    }
     if (sidecar) {
         apply_sidecar(*sidecar, layout, sidecar_path(input.name));
         facts.metadata.insert(facts.metadata.end(), sidecar->metadata.begin(), sidecar->metadata.end());
     }
-    check_options(options, layout, input.name);
-    Calibrator(raw, options, sidecar).apply(layout, facts);
-    const std::optional<std::size_t> channel = channel_of(options, layout, input.name);
-    return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), channel);
+    check_options(options, places.size(), layout.channels.size(), input.name);
+    Calibrator(raw, options, sidecar, places).apply(layout, facts);
+    Places chosen = picked(options, layout, places, input.name);
+    return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), std::move(chosen));
 }
 
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options) {
-    if (path.ends_with(".toml"))
-        throw refusal(path, "this is a case, not a recording", "a case is simulated",
-                      fmt::format("`stridor simulate {0}` judges it; `stridor listen {0} -o sound.wav` makes it a "
-                                  "recording.",
-                                  path));
     return open_signal(open_input(path), options);
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,8 @@ std::string given_calibration(const SignalFacts& facts);
 /// A recording on a disk: samples in SI units, read in blocks.
 class SignalFile final : public signal::Source {
 public:
-    /// `channel` counts from 1; nothing for all.
-    SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts, std::optional<std::size_t> channel);
+    /// `picked` are the channels of the file to read, counted from 0.
+    SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts, std::vector<std::size_t> picked);
 
     const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override;
@@ -71,10 +72,14 @@ private:
 /// The format is told by the content; "-" is standard input.
 ///
 /// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the
-/// units in the file; samples without any are "FS" and nothing else. Throws `Error` (input) for what is damaged, empty,
-/// of no known format, or not finite, and `Error` (io) for what cannot be read. Samples that are not finite are found,
-/// and refused with their frame, while reading.
+/// units in the file; samples without any are "FS" and nothing else. A channel among others that holds what is no sample
+/// (not finite, an overload) or a counter is left out with a note, unless it is asked for by its name. Channels are
+/// counted without it. Throws `Error` (input) for what is damaged, empty, or of no known format, and `Error` (io) for
+/// what cannot be read. Samples that are not finite are refused with their frame while reading.
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options = {});
+
+/// Is this the beginning of a recording: a sound, a UFF or a MAT file? Tables have none.
+bool is_recording(std::string_view beginning);
 
 /// The same in two steps: what is open can be read twice, even standard input; and bytes in memory can be read.
 SignalInput open_input(const std::string& path);

@@ -4,12 +4,16 @@
 
 #include "stridor/recordings/rate.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace stridor::recordings::time_grid {
+
+/// Of how many times the rate is taken at first [1].
+inline constexpr std::size_t looked_at = 1024;
 
 /// How finely the times of a table are printed.
 struct Precision {

@@ -141,6 +141,73 @@ TEST(Mat, SaysWhichSampleIsNotFinite) {
     expect_error(error_of([&] { all_of(input_of(bytes)); }), "sample 2 of the channel \"x\" is nan", "f");
 }
 
+std::vector<double> counted(std::size_t count) {
+    std::vector<double> numbers(count);
+    for (std::size_t k = 0; k < count; ++k)
+        numbers[k] = static_cast<double>(k + 1);
+    return numbers;
+}
+
+std::vector<double> alternating(std::size_t count) {
+    std::vector<double> numbers(count, 0.5);
+    for (std::size_t k = 0; k < count; k += 2)
+        numbers[k] = -0.5;
+    return numbers;
+}
+
+TEST(Mat, CountersAndTroubledChannelsAreLeftOut) {
+    NEEDS_MATIO();
+    std::vector<double> damaged = alternating(100);
+    damaged[77] = std::nan("");
+    const std::string bytes = variable_4("fs", 1, {4000.0}) + variable_4("n", 100, counted(100)) +
+                              variable_4("aux", 100, damaged) + variable_4("acc", 100, alternating(100));
+    const auto file = open_signal(input_of(bytes));
+    ASSERT_EQ(file->layout().channels.size(), 1U);
+    EXPECT_EQ(file->layout().channels[0].name, "acc");
+    EXPECT_EQ(signal::read_all(*file)[0].samples, alternating(100));
+    EXPECT_EQ(file->facts().notes,
+              (std::vector<std::string>{
+                  "channel \"n\" was left out: it grows by the same step in every sample, as a counter does",
+                  "channel \"aux\" was left out: it is nan in sample 78"}));
+    EXPECT_EQ(all_of(input_of(bytes), {.channel_name = "n"})[0].samples, counted(100)) << "it was asked for";
+    expect_error(error_of([&] { all_of(input_of(bytes), {.channel_name = "aux"}); }),
+                 "sample 78 of the channel \"aux\" is nan", "f");
+}
+
+TEST(Mat, ACountedFirstColumnIsNoTime) {
+    NEEDS_MATIO();
+    std::vector<double> matrix = counted(100);
+    const std::vector<double> samples = alternating(100);
+    matrix.insert(matrix.end(), samples.begin(), samples.end());
+    const std::string bytes = variable_4("data", 100, matrix);
+    expect_error(error_of([&] { all_of(input_of(bytes)); }), "data(1) counts in whole steps", "f");
+    const auto file = open_signal(input_of(bytes), {.rate = 4000.0});
+    EXPECT_EQ(file->layout().channels[0].name, "data(2)");
+    EXPECT_EQ(signal::read_all(*file)[0].samples, samples);
+}
+
+TEST(Mat, ARateIsHeldAgainstTheTimesAndTheUsersOutranksThem) {
+    NEEDS_MATIO();
+    const std::string bytes = variable_4("t", 100, even_times(100, 4000.0)) + variable_4("acc", 100, alternating(100));
+    expect_error(error_of([&] { open_signal(input_of(variable_4("fs", 1, {8000.0}) + bytes)); }),
+                 "the file tells two sampling rates (8000 Hz, and 4000 Hz by the times in t). Say which one it is: "
+                 "--rate 8000",
+                 "f");
+    EXPECT_EQ(open_signal(input_of(variable_4("fs", 1, {4000.0}) + bytes))->layout().rate, 4000.0);
+    const auto file = open_signal(input_of(variable_4("fs", 1, {8000.0}) + bytes), {.rate = 8000.0});
+    EXPECT_EQ(file->layout().rate, 8000.0);
+    EXPECT_EQ(file->facts().notes, (std::vector<std::string>{"the times in t were left out, as --rate tells 8000 Hz"}));
+    EXPECT_EQ(signal::read_all(*file)[0].samples, alternating(100));
+}
+
+TEST(Mat, ATimeThatGivesNoSoundInSecondsIsTold) {
+    NEEDS_MATIO();
+    const auto file =
+        open_signal(input_of(variable_4("t", 100, even_times(100, 4.0)) + variable_4("acc", 100, alternating(100))));
+    EXPECT_EQ(file->facts().notes, (std::vector<std::string>{"t was taken for seconds, which gives 4 Hz; if it is in "
+                                                             "milliseconds, say --rate 4000"}));
+}
+
 TEST(Mat, ThatClaimsMoreThanItsBytesHoldIsRefused) {
     NEEDS_MATIO();
     std::string bytes = variable_4("fs", 1, {8.0}) + variable_4("x", 3, {1.0, 2.0, 3.0});

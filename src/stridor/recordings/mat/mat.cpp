@@ -27,7 +27,6 @@ namespace stridor::recordings {
 
 namespace {
 
-constexpr std::size_t looked_at = 1024;                          // times that the rate is first taken from
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 28U;  // the library holds whole variables
 constexpr std::uint64_t most_numbers_per_byte = 1032;            // what deflate can pack into one, each number a byte
 constexpr std::uint64_t memory_of_library = std::uint64_t{3} << 30U;  // [bytes] the most numbers, packed and unpacked
@@ -90,18 +89,49 @@ time_grid::Times times_of(mat::Answers& answers, const mat::MatChoice& choice, c
     for (std::uint64_t frame = 0; frame < choice.frames; ++frame) {
         const auto time = answer<double>(answers, file);
         times.last = time;
-        if (frame >= looked_at) continue;
+        if (frame >= time_grid::looked_at) continue;
         const bool increases = std::isfinite(time) && (frame == 0 || time > times.first.back());
         if (!increases)
             throw refusal(file, "the times do not increase",
                           choice.time_name + "(" + std::to_string(frame + 1) + ") is " + base::shortest(time),
-                          "Give the rate (--rate 48000), or rename what is no time.");
+                          "Give the rate: --rate 48000.");
         times.first.push_back(time);
         times.precision = time_grid::finer(times.precision, precision(time));
     }
     if (!std::isfinite(times.last) || times.last <= times.first.back()) times.last = times.first.back();
     times.precision = time_grid::finer(times.precision, precision(times.last));
     return times;
+}
+
+bool are_whole(std::span<const double> times) {
+    return std::all_of(times.begin(), times.end(), [](double time) { return time == std::round(time); });
+}
+
+// the rate that the file tells, held against its times; or theirs
+void settle_rate(mat::MatChoice& choice, const time_grid::Times& times, std::vector<std::string>& notes,
+                 const std::string& file) {
+    constexpr double lowest_heard = 40.0;  // [Hz] twice the lowest frequency of a sound
+    if (choice.is_time_guessed && are_whole(times.first))
+        throw refusal(file, "the file does not tell its sampling rate",
+                      choice.time_name + " counts in whole steps, and does not say that they are seconds",
+                      "Give it (--rate 48000), or save it there: fs = 48000.");
+    if (choice.rate && times.first.size() < 2) return;
+    const SnappedRate snapped = times.first.size() > 1 ? time_grid::rate_of(times) : SnappedRate{};
+    const bool is_rate =
+        std::isfinite(snapped.rate) && snapped.rate > 0.0 && snapped.rate <= signal_table::highest_rate;
+    if (!is_rate) throw refusal(file, "the times in " + choice.time_name + " give no sampling rate");
+    const bool agrees = !choice.rate || std::abs(*choice.rate / snapped.rate - 1.0) <= 0.01;
+    if (!agrees)
+        throw refusal(file, "the file tells two sampling rates",
+                      base::shortest(*choice.rate) + " Hz, and " + base::shortest(snapped.rate) +
+                          " Hz by the times in " + choice.time_name,
+                      "Say which one it is: --rate " + base::shortest(*choice.rate) + ".");
+    if (choice.rate && !time_grid::missed(times, *choice.rate, choice.frames - 1, times.last)) return;
+    choice.rate = snapped.rate;
+    if (!snapped.note.empty()) notes.push_back(snapped.note);
+    if (snapped.rate < lowest_heard)
+        notes.push_back(choice.time_name + " was taken for seconds, which gives " + base::shortest(snapped.rate) +
+                        " Hz; if it is in milliseconds, say --rate " + base::shortest(1e3 * snapped.rate));
 }
 
 class MatSource final : public signal::Source {
@@ -140,11 +170,11 @@ private:
     void check_time(double time) const {
         const std::optional<double> due = time_grid::missed(*times_, layout_.rate, next_, time);
         if (due)
-            throw refusal(file_, "the times are not evenly spaced",
-                          "at " + base::shortest(layout_.rate) + " Hz, " + time_name_ + "(" +
-                              std::to_string(next_ + 1) + ") is due to be " + base::shortest(*due) + ", not " +
-                              base::shortest(time),
-                          "Resample the signals to an even step.");
+            throw refusal(
+                file_, "the times are not evenly spaced",
+                "at " + base::shortest(layout_.rate) + " Hz, " + time_name_ + "(" + std::to_string(next_ + 1) +
+                    ") is due to be " + base::shortest(*due) + ", not " + base::shortest(time),
+                "Resample the signals to an even step, or say the rate: --rate " + base::shortest(layout_.rate) + ".");
     }
 
     std::shared_ptr<mat::Answers> answers_;
@@ -220,19 +250,15 @@ RawSignal open_mat_answers(std::shared_ptr<mat::Answers> answers, std::uint64_t 
                       "Save it in parts, or as WAV: audiowrite.");
     RawSignal raw;
     raw.format = "MAT";
+    raw.doubt = Doubt::numbers_and_counters;
     raw.notes = choice.notes;
     raw.metadata = choice.metadata;
     raw.left_out = choice.left_out;
     raw.time = choice.time_name;
     std::optional<time_grid::Times> times;
-    if (choice.time) times = times_of(*answers, choice, file);
-    if (!choice.rate) {
-        const SnappedRate snapped = times->first.size() > 1 ? time_grid::rate_of(*times) : SnappedRate{};
-        const bool is_rate =
-            std::isfinite(snapped.rate) && snapped.rate > 0.0 && snapped.rate <= signal_table::highest_rate;
-        if (!is_rate) throw refusal(file, "the times in " + choice.time_name + " give no sampling rate");
-        choice.rate = snapped.rate;
-        if (!snapped.note.empty()) raw.notes.push_back(snapped.note);
+    if (choice.time) {
+        times = times_of(*answers, choice, file);
+        settle_rate(choice, *times, raw.notes, file);
     }
     raw.source = std::make_unique<MatSource>(std::move(answers), choice, std::move(times), file);
     return raw;

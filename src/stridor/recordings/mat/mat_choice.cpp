@@ -122,6 +122,7 @@ public:
                           left_out_.empty() ? "" : "Save the numbers as variables of their own: force = s.Data.");
         find_times();
         choose_length();
+        leave_out_times();
         take_first_column_as_time();
         add_channels();
         if (!left_out_.empty()) choice_.notes.push_back("left out: " + listing(variables_, left_out_));
@@ -231,6 +232,16 @@ private:
         keep_only([&](std::size_t k) { return k == *wished; });
     }
 
+    // the user's rate outranks them: they may be uneven
+    void leave_out_times() {
+        if (!wishes_.rate || !choice_.time) return;
+        choice_.notes.push_back("the times in " + choice_.time_name + " were left out, as --rate tells " +
+                                base::shortest(*wishes_.rate) + " Hz");
+        choice_.left_out.push_back(choice_.time_name + " (times)");
+        choice_.time.reset();
+        choice_.time_name.clear();
+    }
+
     // as in a table without names
     void take_first_column_as_time() {
         if (choice_.time || choice_.rate) return;
@@ -240,6 +251,7 @@ private:
                           "it has no single number called fs or dt, and no vector called t or time", rate_help);
         choice_.time = MatColumn{candidates_.front(), 0, only.rows < only.columns ? 1U : 0U};
         choice_.time_name = only.name + "(1)";
+        choice_.is_time_guessed = true;
         choice_.has_single_times = only.kind == MatKind::singles;
         choice_.notes.push_back(choice_.time_name + " was taken for the time in seconds");
     }

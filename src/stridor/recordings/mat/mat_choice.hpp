@@ -36,6 +36,7 @@ struct MatChoice {
     std::optional<double> rate{};     // [Hz]; nothing where the times must tell it
     std::optional<MatColumn> time{};  // [s]
     std::string time_name{};          // "t", "data(1)"
+    bool is_time_guessed = false;     // nothing names it a time
     bool has_single_times = false;    // of seven digits
     std::vector<std::string> notes{};
     std::vector<std::string> left_out{};                          // "s (a structure)"
@@ -47,8 +48,9 @@ struct MatChoice {
 ///
 /// The rate is a single number called `fs`, `sample_rate` or the like, or one over `dt`; the times are a vector called
 /// `t` or `time` in seconds, or the first column of a matrix that is alone and without a rate. Where there are times,
-/// what is as long as they are is chosen. Throws `Error` (input) with what there is where nothing or no one length can
-/// be chosen, and where there is neither a rate nor times.
+/// what is as long as they are is chosen. A rate that the user gives outranks them: they are left out. Throws `Error`
+/// (input) with what there is where nothing or no one length can be chosen, and where there is neither a rate nor
+/// times.
 MatChoice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file);
 
 }  // namespace stridor::recordings::mat
