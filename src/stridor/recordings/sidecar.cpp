@@ -6,6 +6,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/recordings/refusal.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -70,8 +71,18 @@ Json parsed(std::string_view json, const std::string& name) {
                       "it nests deeper than " + std::to_string(base::deepest_document) + " levels");
     try {
         return Json::parse(json);
-    } catch (const Json::exception& error) {
-        throw refusal(name, "the sidecar is no JSON", error.what());
+    } catch (const Json::parse_error& error) {
+        const std::string_view before = json.substr(0, error.byte > 0 ? error.byte - 1 : 0);
+        const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+        const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+        const std::string_view text = json.substr(begin, json.find('\n', begin) - begin);
+        constexpr std::size_t longest_shown = 200;  // [bytes]
+        const base::Place place{name, line, static_cast<int>(before.size() - begin) + 1,
+                                text.size() > longest_shown ? "" : std::string(text)};
+        throw refusal(place, "the sidecar is no JSON", "it cannot be read on from here",
+                      "Correct it, or remove it: the recording is read without one.");
+    } catch (const Json::exception&) {
+        throw refusal(name, "the sidecar is no JSON", "a number in it is too large");
     }
 }
 

@@ -105,7 +105,11 @@ TEST(Sidecar, IsRefusedWithItsReason) {
     const auto refusal = [](const std::string& rest) {
         return error_of([&] { parse_sidecar("{\"schema\": \"stridor.sidecar/1\", " + rest + "}", "s.json"); });
     };
-    expect_error(error_of([] { parse_sidecar("{", "s.json"); }), "the sidecar is no JSON", "s.json");
+    expect_error(error_of([] { parse_sidecar("{", "s.json"); }),
+                 "the sidecar is no JSON (it cannot be read on from here). Correct it, or remove it", "s.json:1:2");
+    expect_error(error_of([] { parse_sidecar("{\n \"rate\": 8000,\n \"unit\": Pa\n}", "s.json"); }), "no JSON",
+                 "s.json:3:10");
+    expect_error(refusal("\"rate\": 1e999"), "a number in it is too large", "s.json");
     expect_error(error_of([] { parse_sidecar("{}", "s.json"); }), "is no sidecar", "s.json");
     expect_error(refusal("\"chanels\": []"), "Did you mean \"channels\"?", "s.json");
     expect_error(refusal("\"channels\": 1"), "is no list", "s.json");

@@ -250,6 +250,31 @@ TEST(Mp3, OfUnevenBitRateIsReadToItsEndThoughNothingTellsIt) {
     EXPECT_LE(untold[0].samples.size(), right[0].samples.size() + 2304U);
 }
 
+// a tag that was copied from a shorter sound
+TEST(Mp3, IsReadToItsEndThoughItsTagTellsFewerFrames) {
+    std::string few = storage::read_file(fixture("lame_vbr.mp3"));
+    few.replace(few.find("Xing") + 8, 4, std::string("\0\0\0\2", 4));
+    EXPECT_EQ(all_of(input_of(few))[0].samples, all_of(fixture("lame_vbr.mp3"))[0].samples);
+}
+
+std::string chunk_of(const std::string& name, const std::string& content) {
+    const auto size = static_cast<char>(content.size());
+    return name + std::string{size, '\0', '\0', '\0'} + content;
+}
+
+TEST(Wav, OfASizeOf0HasNoSamplesBeforeAKnownChunk) {
+    const std::string format = chunk_of("fmt ", std::string("\1\0\1\0\xA0\x0F\0\0\x40\x1F\0\0\2\0\x10\0", 16));
+    const std::string head = "RIFF" + std::string(4, '\0') + "WAVE" + format + "data" + std::string(4, '\0');
+    const auto refused = [&](const std::string& behind) {
+        return error_of([&] { all_of(input_of(head + behind, "d.wav")); });
+    };
+    expect_error(refused(chunk_of("LIST", "INFOISFT" + std::string("\4\0\0\0rec1", 8))), "its data chunk is empty",
+                 "d.wav");
+    expect_error(refused(""), "the WAV file holds no samples", "d.wav");
+    EXPECT_EQ(all_of(input_of(head + std::string("LIST\xFF\xFF\xFF\x7F", 8)))[0].samples.size(), 4U)
+        << "samples that look like a mark";
+}
+
 bool lacks_libmatio() {
     try {
         open_signal(fixture("plain.mat"));

@@ -155,19 +155,101 @@ TEST(Uff58, RefusesWhatItCannotRead) {
     expect_error(refusal(replaced(ascii, "         4         5", "         6         5")), "data of type 6", "d.uff:9");
     expect_error(refusal(replaced(ascii, "         5         1", "         0         1")), "holds no values",
                  "d.uff:9");
-    expect_error(refusal(replaced(ascii, "         5         1", "         6         1")),
-                 "it ends after 5 of 6 values", "d.uff:16");
-    expect_error(refusal(replaced(ascii, "         5         1", "         4         1")),
-                 "goes on after its last value", "d.uff:15:1");
-    expect_error(refusal(replaced(ascii, "         5         1", "3000000000         1")), "is cut off", "d.uff:14");
+    const std::string cut = replaced(ascii, "         5         1", "         6         1");
+    expect_error(refusal(cut.substr(0, cut.rfind("    -1"))), "it ends after 5 of 6 values, without a mark",
+                 "d.uff:15");
     expect_error(refusal(replaced(ascii, "2.08333E-05", "0.00000E+00")), "is no step", "d.uff:9");
     expect_error(refusal(replaced(ascii, "2.000000000000E+00", "2.0OOOOOOOOOOOE+00")), "is not a number",
                  "d.uff:14:21");
     expect_error(refusal(ascii.substr(0, 300)), "the header of dataset 58 is cut off", "d.uff:6");
-    expect_error(refusal(replaced(binary, "         2         1", "3000000000         1")), "is cut off", "d.uff:14");
+    const std::string many = replaced(binary, "         2         1", "3000000000         1");
+    expect_error(refusal(many.substr(0, many.rfind("    -1"))), "is cut off", "d.uff:14");
+    expect_error(refusal(ascii.substr(0, ascii.rfind("  1.0")) + "    -1\n"), "the time history holds no values",
+                 "d.uff:14");
     expect_error(refusal(replaced(binary, "58b     1     2", "58b     3     2")), "unknown byte order", "d.uff:2:1");
     expect_error(refusal(replaced(binary, "58b     1     2", "58b     1     1")), "VMS or IBM", "d.uff:2:1");
     expect_error(refusal("    -1\n   151\nx\n    -1\n"), "holds no time history", "d.uff");
+}
+
+// cards of a front end, and four values a line
+std::string front_end_history(const std::vector<double>& values, std::size_t count, const std::string& opening,
+                              const std::string& unit = "s") {
+    std::string text = history_of(unit.c_str(), "m/s2");
+    text = replaced(text.substr(0, text.find("  0.00000E+00  1.5")), "         4         1",
+                    fmt::format("{:10d}         1", count));
+    text = replaced(text, "    58\n", "    58" + opening + "\n");
+    if (opening.empty()) {
+        for (std::size_t k = 0; k < values.size(); ++k)
+            text += fmt::format("{:13.5E}{}", values[k], k % 4 == 3 || k + 1 == values.size() ? "\n" : "");
+    } else {
+        for (const double value : values) {
+            const auto single = static_cast<float>(value);
+            text.append(reinterpret_cast<const char*>(&single), sizeof single);
+        }
+    }
+    return text + "    -1\n";
+}
+
+std::string little_endian_opening(std::size_t bytes) {
+    return fmt::format("b     1     2          11{:12d}     0     0           0           0", bytes);
+}
+
+const std::vector<double> ten_values{0.5, -1.5, 2.5, -3.5, 4.5, -5.5, 6.5, -7.5, 8.5, -9.5};
+
+TEST(Uff58, ReadsTheValuesThatAreThereWhateverItsHeaderCounts) {
+    for (const std::string& opening : {std::string(), little_endian_opening(40)})
+        for (const std::size_t count : {7U, 9U, 3U, 11U, 13U, 4000U}) {
+            const auto file = open_signal(input_of(front_end_history(ten_values, count, opening)));
+            EXPECT_EQ(signal::read_all(*file)[0].samples, ten_values) << count << opening;
+            ASSERT_EQ(file->facts().notes.size(), 1U) << count << opening;
+            EXPECT_EQ(file->facts().notes[0], fmt::format("time history 1: the header speaks of {} values, the 10 that "
+                                                          "are there were read",
+                                                          count));
+        }
+    // zeros behind the last value fill its line
+    const auto filled = open_signal(input_of(front_end_history({1.0, 2.0, 3.0, 4.0, 5.0, 0.0, 0.0}, 5, "")));
+    EXPECT_EQ(signal::read_all(*filled)[0].samples.size(), 5U);
+    EXPECT_TRUE(filled->facts().notes.empty());
+}
+
+TEST(Uff58, BelievesANumberOfBytesOnlyIfAMarkStandsBehindThem) {
+    for (const std::size_t bytes : {80U, 20U, 17U, 0U, 100000U}) {
+        const std::string first = front_end_history(ten_values, 10, little_endian_opening(bytes));
+        const auto file = open_signal(input_of(first + front_end_history(ten_values, 10, little_endian_opening(40))));
+        const std::vector<Signal> found = signal::read_all(*file);
+        ASSERT_EQ(found.size(), 2U) << bytes;
+        EXPECT_EQ(found[0].samples, ten_values) << bytes;
+        EXPECT_EQ(found[1].samples, ten_values) << bytes;
+    }
+}
+
+TEST(Uff58, KnowsSecondsInLargeLetters) {
+    for (const char* unit : {"S", "SEC", "mS", "MS", "mSec"})
+        EXPECT_EQ(open_signal(input_of(front_end_history(ten_values, 10, "", unit)))->layout().rate,
+                  unit == std::string("S") || unit == std::string("SEC") ? 1.0 : 1000.0)
+            << unit;
+}
+
+TEST(Uff58, WithATroubledChannelIsReadWithoutIt) {
+    std::vector<double> overloaded = ten_values;
+    overloaded[6] = 9.9e37;
+    const std::string bytes = front_end_history(ten_values, 10, "") +
+                              replaced(front_end_history(overloaded, 10, ""), "v2;100", "broken") +
+                              replaced(front_end_history(ten_values, 10, ""), "v2;100", "third");
+    const auto file = open_signal(input_of(bytes));
+    ASSERT_EQ(file->layout().channels.size(), 2U);
+    EXPECT_EQ(file->layout().channels[1].name, "third");
+    EXPECT_EQ(file->facts().notes,
+              (std::vector<std::string>{"channel \"broken\" was left out: it is 9.9e+37 in sample 7"}));
+    EXPECT_EQ(file->facts().left_out, (std::vector<std::string>{"channel \"broken\": is 9.9e+37 in sample 7"}));
+    EXPECT_EQ(signal::read_all(*file)[1].samples, ten_values);
+    EXPECT_EQ(all_of(input_of(bytes), {.channel_name = "2"})[0].samples, ten_values) << "what is left is counted";
+    expect_error(error_of([&] { all_of(input_of(bytes), {.channel_name = "broken"}); }),
+                 "sample 7 of the channel \"broken\" is 9.9e+37", "f");
+    const std::vector<FullScale> scales{{2.0, "Pa"}, {3.0, "Pa"}};
+    EXPECT_EQ(all_of(input_of(bytes), {.full_scales = scales})[1].samples[0], 1.5) << "one for each that is left";
+    const std::vector<FullScale> of_file{{2.0, "Pa"}, {9.0, "Pa"}, {3.0, "Pa"}};
+    EXPECT_EQ(all_of(input_of(bytes), {.full_scales = of_file})[1].samples[0], 1.5) << "or in the file";
 }
 
 TEST(Uff58, ForgivesAWrongNumberOfBytesWhereTheValuesEndWell) {

@@ -213,7 +213,7 @@ RiffData checked_riff(const SignalInput& input) {
                       "the WAV file has samples of " + std::to_string(data->bits) + " bits in frames of " +
                           std::to_string(data->frame_bytes) + " bytes",
                       "they do not fit each other", "Is its header damaged?");
-    if (data->available == 0) throw refusal(input.name, "the WAV file holds no samples", "it ends after its header");
+    if (data->available == 0) throw refusal(input.name, "the WAV file holds no samples", "its data chunk is empty");
     if (data->claimed <= data->available || data->has_unknown_length()) return *data;
     throw refusal(input.name, "the WAV file is cut off",
                   "its header speaks of " + std::to_string(data->claimed) + " bytes of samples, " +
@@ -256,6 +256,8 @@ RawSignal open_audio(const SignalInput& input) {
     if (!is_riff_mark(mark)) plain.bytes = with_frame_count(plain.bytes);
     auto audio = std::make_unique<Audio>(plain);
     raw.format = format_name(audio->format());
+    const int coding = audio->format() & SF_FORMAT_SUBMASK;
+    if (coding == SF_FORMAT_FLOAT || coding == SF_FORMAT_DOUBLE) raw.doubt = Doubt::numbers;
     raw.metadata = tags(audio->handle());
     if (auto info = std::make_unique<Broadcast>();
         sf_command(audio->handle(), SFC_GET_BROADCAST_INFO, info.get(), sizeof(Broadcast)) == SF_TRUE) {

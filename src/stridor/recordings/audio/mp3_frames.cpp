@@ -43,6 +43,13 @@ std::uint64_t length_of_tag(std::string_view head) {
     return length + 10;
 }
 
+std::uint64_t big_endian(std::string_view text) {
+    std::uint64_t value = 0;
+    for (std::size_t k = 0; k < text.size(); ++k)
+        value = value << 8U | byte_at(text, k);
+    return value;
+}
+
 std::string big_endian_bytes(std::uint64_t value) {
     std::string text;
     for (const unsigned shift : {24U, 16U, 8U, 0U})
@@ -78,8 +85,7 @@ std::shared_ptr<const Bytes> with_frame_count(std::shared_ptr<const Bytes> bytes
     if (tag == std::string::npos) tag = frame.find("Info");
     const bool has_tag = tag != std::string::npos && tag + 12 <= frame.size();
     const bool has_count = has_tag && (byte_at(frame, tag + 7) & 1U) != 0;
-    const bool is_told = has_count && frame.substr(tag + 8, 4) != big_endian_bytes(0);
-    if (is_told || frame.find("VBRI") != std::string::npos) return bytes;
+    if (frame.find("VBRI") != std::string::npos) return bytes;
     const std::uint64_t sound = has_tag ? first + *length : first;
     const std::string kind = text_at(*bytes, sound, 4);
     std::uint64_t count = 0;
@@ -91,7 +97,9 @@ std::shared_ptr<const Bytes> with_frame_count(std::shared_ptr<const Bytes> bytes
         is_even = is_even && byte_at(each, 2) >> 4U == byte_at(kind, 2) >> 4U;
         at += *next;
     }
-    if (count < 2 || (is_even && !has_tag)) return bytes;
+    // some count the first frame, too; fewer than are told were cut off
+    const bool is_told = has_count && big_endian(frame.substr(tag + 8, 4)) + 1 >= count;
+    if (is_told || count < 2 || (is_even && !has_tag)) return bytes;
     const std::string kept = text_at(*bytes, 0, static_cast<std::size_t>(first));
     if (!has_count) return with_head(kept + telling_frame(kind, count), bytes, sound);
     const std::string told = text_at(*bytes, 0, static_cast<std::size_t>(first + tag + 8)) + big_endian_bytes(count);

@@ -1,6 +1,7 @@
 #include "stridor/recordings/audio/riff.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,6 +81,15 @@ bool stand_low(const Bytes& bytes, const RiffData& data) {
     return is_sign_everywhere && has_low_byte;
 }
 
+// an empty data chunk: what follows is one of those that stand behind samples, and fits the file
+bool is_chunk_behind(const Bytes& bytes, std::uint64_t offset) {
+    constexpr std::array<std::string_view, 14> names{"LIST", "bext", "iXML", "fact", "cue ", "id3 ", "ID3 ",
+                                                     "smpl", "PEAK", "JUNK", "junk", "FLLR", "PAD ", "axml"};
+    const std::string header = text_at(bytes, offset, 8);
+    if (header.size() < 8 || std::find(names.begin(), names.end(), header.substr(0, 4)) == names.end()) return false;
+    return little_endian(header.substr(4)) <= bytes.size() - offset - 8;
+}
+
 }  // namespace
 
 bool RiffData::has_unknown_length() const {
@@ -125,6 +135,7 @@ std::optional<RiffData> find_riff_data(const Bytes& bytes) {
             data.offset = offset + 8;
             data.claimed = size == largest_32 && long_size ? *long_size : size;
             data.available = bytes.size() - data.offset;
+            if (data.claimed == 0 && is_chunk_behind(bytes, data.offset)) data.available = 0;
             return data;
         }
         offset += 8 + size + size % 2;

@@ -2,7 +2,6 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/uff58/uff58_header.hpp"
@@ -44,7 +43,6 @@ public:
             into[k * stride] = row_[next_++];
             ++done_;
         }
-        if (done_ == dataset_.count) check_end();
     }
 
 private:
@@ -54,37 +52,8 @@ private:
             throw refusal(
                 {lines_.name(), lines_.number() - 1, 0, ""}, "the time history is cut off",
                 "it ends after " + std::to_string(done_) + " of " + std::to_string(dataset_.count) + " values");
-        row_.clear();
+        row_ = uff58::values_in(*line, dataset_.ordinate, lines_.name());
         next_ = 0;
-        for (const std::string_view word : words(line->text)) {
-            const std::optional<double> number = fortran_number(word);
-            if (!number) return read_columns(*line);
-            row_.push_back(*number);
-        }
-    }
-
-    // numbers that fill their columns touch each other: 13 columns for singles, 20 for doubles
-    void read_columns(const TextLine& line) {
-        row_.clear();
-        const std::size_t width = dataset_.ordinate == uff58::real_double ? 20 : 13;
-        const std::string_view text = line.text.substr(0, line.text.find_last_not_of(" \t\r") + 1);
-        for (std::size_t from = 0; from < text.size(); from += width) {
-            const std::optional<double> number = fortran_number(text.substr(from, width));
-            if (!number)
-                throw refusal(place_of(lines_.name(), line, static_cast<int>(from) + 1),
-                              "\"" + std::string(base::trimmed(text.substr(from, width))) + "\" is not a number");
-            row_.push_back(*number);
-        }
-    }
-
-    // what is left of the last line is filling; whole lines of it are values that the header denies
-    void check_end() {
-        while (const auto line = lines_.next()) {
-            if (uff58::is_mark(line->text)) return;
-            if (!base::trimmed(line->text).empty())
-                throw refusal(place_of(lines_.name(), *line, 1), "the time history goes on after its last value",
-                              "its header speaks of " + std::to_string(dataset_.count) + " values");
-        }
     }
 
     Dataset dataset_;
@@ -243,7 +212,10 @@ RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> datase
     const Dataset& first = datasets.front();
     RawSignal raw;
     raw.format = first.form == Form::ascii ? "UFF 58" : "UFF 58b";
+    raw.doubt = Doubt::numbers;
     if (!first.rate_note.empty()) raw.notes.push_back(first.rate_note);
+    for (const Dataset& each : datasets)
+        if (!each.count_note.empty()) raw.notes.push_back(each.count_note);
     if (contents.left_out > 0)
         raw.left_out.push_back(std::to_string(contents.left_out) + " datasets that are no time histories");
     for (const std::string& each : raw.left_out)

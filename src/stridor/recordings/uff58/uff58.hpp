@@ -18,7 +18,8 @@ bool is_uff(std::string_view beginning);
 /// Other datasets are skipped. Time histories of the same rate and length are channels; otherwise `dataset`, counted
 /// from 1 among the time histories, chooses one. The rate is taken from an ID line "rate: 48000 Hz" where it agrees
 /// with the step, else snapped to an exact one within what the step's digits tell. Throws `Error` (input) with the line
-/// for an uneven step, complex values, a file that is cut off, and headers that contradict their data.
+/// for an uneven step, complex values and a file that is cut off. Where the header speaks of another number of values
+/// than are there, those are read, with a note.
 RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> dataset = std::nullopt);
 
 /// How numbers are written.

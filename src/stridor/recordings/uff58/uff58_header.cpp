@@ -126,8 +126,8 @@ std::optional<double> written_rate(const std::array<std::string, 5>& id) {
 // what one of the abscissa is in seconds; nothing said means seconds
 double unit_of_time(const std::string& label, const base::Place& place) {
     if (label.empty()) return 1.0;
-    const FullScale unit = unit_of_label(label);
-    if (unit.unit == "s") return unit.value;
+    for (const std::string& spelling : {label, csv_table::lower(label)})  // "S" is no siemens here
+        if (const FullScale unit = unit_of_label(spelling); unit.unit == "s") return unit.value;
     throw refusal(place, "the time is in \"" + label + "\"", "that is no unit of time that is known",
                   "Write s, ms or us into the label of the abscissa (record 8).");
 }
@@ -196,27 +196,61 @@ bool has_mark_at(const SignalInput& input, std::uint64_t offset) {
     return content.starts_with("-1") || (offset >= input.bytes->size() && content.empty());
 }
 
+// the next mark behind binary values, as all writers print it
+std::optional<std::uint64_t> mark_behind(const SignalInput& input, std::uint64_t from) {
+    constexpr std::string_view mark = "    -1";
+    constexpr std::size_t block = 1U << 20U;  // [bytes]
+    for (std::uint64_t at = from; at < input.bytes->size(); at += block) {
+        const std::string text = text_at(*input.bytes, at, block + mark.size());
+        for (std::size_t k = text.find(mark); k < block; k = text.find(mark, k + 1)) {
+            const char next = k + mark.size() < text.size() ? text[k + mark.size()] : '\n';
+            if (next == '\n' || next == '\r') return at + k;
+        }
+    }
+    return std::nullopt;
+}
+
+bool has_only_zeros(const SignalInput& input, std::uint64_t from, std::uint64_t end) {
+    constexpr std::uint64_t most = 1U << 16U;  // [bytes] more is no filling
+    const std::string text =
+        end - from > most ? "x" : text_at(*input.bytes, from, static_cast<std::size_t>(end - from));
+    return text.find_first_not_of('\0') == std::string::npos;
+}
+
+// the values that stand there count, whatever the header says
+void correct_count(Dataset& dataset, std::uint64_t there, const std::string& file) {
+    if (there == 0) throw refusal({file, dataset.data_line, 0, ""}, "the time history holds no values");
+    dataset.count_note = "time history " + std::to_string(dataset.number) + ": the header speaks of " +
+                         std::to_string(dataset.count) + " values, the " + std::to_string(there) +
+                         " that are there were read";
+    dataset.count = there;
+}
+
 std::uint64_t width_of(int ordinate) {
     return ordinate == real_double ? 8 : 4;
 }
 
-// where the values of a binary dataset end; `claimed` is the number of bytes that its first line gives
-std::uint64_t binary_end(const SignalInput& input, const Dataset& dataset, std::optional<std::uint64_t> claimed) {
-    const base::Place place{input.name, dataset.data_line, 0, ""};
-    const std::uint64_t left = input.bytes->size() - dataset.data_offset;
+// Where the values of a binary dataset end; `claimed` is the number of bytes that its first line gives. A mark decides
+// where that and the number of values differ.
+std::uint64_t settle_binary_end(const SignalInput& input, Dataset& dataset, std::optional<std::uint64_t> claimed) {
+    const std::uint64_t begin = dataset.data_offset;
+    const std::uint64_t left = input.bytes->size() - begin;
     const std::uint64_t width = width_of(dataset.ordinate);
-    if (dataset.count > left / width)
-        throw refusal(place, "the time history is cut off",
-                      "its header speaks of " + std::to_string(dataset.count) + " values, " +
-                          std::to_string(left / width) + " are there");
-    const std::uint64_t needed = dataset.count * width;
-    if (!claimed || *claimed == needed) return dataset.data_offset + needed;
-    if (*claimed > needed && *claimed <= left) return dataset.data_offset + *claimed;  // filled up
-    // a wrong number of bytes is forgiven where the values end as they should
-    if (has_mark_at(input, dataset.data_offset + needed)) return dataset.data_offset + needed;
-    throw refusal(place, "the header contradicts itself",
-                  std::to_string(dataset.count) + " values take " + std::to_string(needed) + " bytes, not " +
-                      std::to_string(*claimed));
+    const bool fits = dataset.count <= left / width;
+    const std::uint64_t needed = fits ? dataset.count * width : 0;
+    if (fits && claimed == needed) return begin + needed;
+    const bool is_claim_marked = claimed && *claimed <= left && has_mark_at(input, begin + *claimed);
+    if (fits && !is_claim_marked && has_mark_at(input, begin + needed)) return begin + needed;
+    const std::optional<std::uint64_t> mark = is_claim_marked ? begin + *claimed : mark_behind(input, begin);
+    if (!mark)
+        throw refusal({input.name, dataset.data_line, 0, ""},
+                      fits ? "where the time history ends is not known" : "the time history is cut off",
+                      "its header speaks of " + std::to_string(dataset.count) + " values, there is room for " +
+                          std::to_string(left / width) + ", and no mark (-1) ends them");
+    const std::uint64_t there = (*mark - begin) / width;  // a line end may stand before the mark
+    const bool is_filled = there > dataset.count && has_only_zeros(input, begin + needed, begin + there * width);
+    if (there != dataset.count && !is_filled) correct_count(dataset, there, input.name);
+    return *mark;
 }
 
 /// Goes through a file from mark to mark.
@@ -285,18 +319,42 @@ private:
                           "the file holds more than " + std::to_string(most_histories) + " time histories");
         dataset.number = static_cast<int>(contents_.histories.size()) + 1;
         if (dataset.form == Form::ascii) {
-            // a value takes at least a digit and what parts it from the next
-            const std::uint64_t left = input_.bytes->size() - dataset.data_offset;
-            if (dataset.count > (left + 1) / 2)
-                throw refusal({input_.name, dataset.data_line, 0, ""}, "the time history is cut off",
-                              "its header speaks of " + std::to_string(dataset.count) + " values, " +
-                                  std::to_string(left) + " bytes are left");
+            count_values(dataset);
         } else {
-            const std::uint64_t end = binary_end(input_, dataset, opening.bytes);
+            const std::uint64_t end = settle_binary_end(input_, dataset, opening.bytes);
             lines_ = LineReader(input_.bytes, input_.name, end, lines_.number());
+            find_mark();
         }
         contents_.histories.push_back(std::move(dataset));
-        find_mark();
+    }
+
+    // up to the mark; zeros that fill the last line are no values
+    void count_values(Dataset& dataset) {
+        std::uint64_t there = 0;
+        std::uint64_t last_value = 0;  // the last that is not zero
+        std::size_t in_line = 0;
+        bool is_ended = false;
+        while (const auto line = lines_.next()) {
+            is_ended = is_mark(line->text);
+            if (is_ended) break;
+            std::vector<double> values;
+            try {
+                values = values_in(*line, dataset.ordinate, input_.name);
+            } catch (const Error&) {
+                find_mark();
+                return;  // it comes again, should somebody read this history
+            }
+            for (std::size_t k = 0; k < values.size(); ++k)
+                if (values[k] != 0.0) last_value = there + k + 1;
+            there += values.size();
+            if (!values.empty()) in_line = values.size();
+        }
+        const bool is_filled = last_value <= dataset.count && there - std::min(there, dataset.count) < in_line;
+        if (there < dataset.count && !is_ended)
+            throw refusal({input_.name, lines_.number() - 1, 0, ""}, "the time history is cut off",
+                          "it ends after " + std::to_string(there) + " of " + std::to_string(dataset.count) +
+                              " values, without a mark (-1)");
+        if (there < dataset.count || (there > dataset.count && !is_filled)) correct_count(dataset, there, input_.name);
     }
 
     SignalInput input_;
@@ -310,6 +368,29 @@ bool is_mark(std::string_view line) {
     if (line.starts_with(csv_table::utf8_mark)) line.remove_prefix(csv_table::utf8_mark.size());
     // a value of -1 stands further right
     return base::trimmed(line) == "-1" && line.find("-1") <= 4;
+}
+
+std::vector<double> values_in(const TextLine& line, int ordinate, const std::string& file) {
+    std::vector<double> values;
+    bool is_parted = true;
+    for (const std::string_view word : words(line.text)) {
+        const std::optional<double> number = fortran_number(word);
+        is_parted = is_parted && number;
+        values.push_back(number.value_or(0.0));
+    }
+    if (is_parted) return values;
+    values.clear();
+    const std::size_t width = ordinate == real_double ? 20 : 13;
+    const std::string_view text = line.text.substr(0, line.text.find_last_not_of(" \t\r") + 1);
+    for (std::size_t from = 0; from < text.size(); from += width) {
+        const std::string_view field = base::trimmed(text.substr(from, width));
+        const std::optional<double> number = fortran_number(field);
+        if (!number)
+            throw refusal(place_of(file, line, static_cast<int>(from) + 1),
+                          "\"" + std::string(field) + "\" is not a number");
+        values.push_back(*number);
+    }
+    return values;
 }
 
 Contents find_datasets(const SignalInput& input) {

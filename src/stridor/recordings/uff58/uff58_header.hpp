@@ -2,6 +2,7 @@
 
 // Datasets 58 and 58b of the Universal File Format: finding them in a file, and their headers. Private to this folder.
 
+#include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/raw_signal.hpp"
 
 #include <array>
@@ -40,6 +41,7 @@ struct Dataset {
     double start = 0.0;             // [s] of the first value
     double rate = 0.0;              // [Hz]
     std::string rate_note;          // to the user; may be empty
+    std::string count_note;         // to the user; may be empty
     std::uint64_t data_offset = 0;  // [bytes]
     int data_line = 1;              // [1] of the first line of values
 };
@@ -50,9 +52,14 @@ struct Contents {
     std::size_t left_out = 0;        // other datasets and functions
 };
 
-/// Walks through a file. Throws `Error` (input) with file and line for a header that cannot be understood, for time
-/// histories of uneven step or complex values, and for counts of values that the file cannot hold.
+/// Walks through a file. Where a header speaks of another number of values than stand before the mark, those that stand
+/// there count, and a note says so. Throws `Error` (input) with file and line for a header that cannot be understood,
+/// for time histories of uneven step or complex values, and for those that end without their mark.
 Contents find_datasets(const SignalInput& input);
+
+/// Returns the numbers in a line of ASCII values. What touches is parted by columns of 13, or of 20 for doubles.
+/// Throws `Error` (input) with line and column for what is no number.
+std::vector<double> values_in(const TextLine& line, int ordinate, const std::string& file);
 
 /// Is this line the mark between datasets, "    -1"?
 bool is_mark(std::string_view line);
