@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 namespace stridor::io::structure {
@@ -19,11 +20,38 @@ std::string model_of(const ListedMatrix& matrix) {
     return matrix.name.empty() ? "" : upper(matrix.name).substr(1);
 }
 
+// of KXX1: XX
+std::string model_without_number(const ListedMatrix& matrix) {
+    const std::string model = model_of(matrix);
+    return model.substr(0, model.find_last_not_of("0123456789") + 1);
+}
+
+// a whole name that programs give to nothing else: KAA, KAAX, MXX, BGG; any set of degrees of freedom of Nastran's
+// that a part may stand in; or a word
+bool has_known_name(const ListedMatrix& matrix) {
+    constexpr std::array<std::string_view, 10> models{"", "AA", "AAX", "XX", "GG", "HH", "FF", "LL", "NN", "PP"};
+    constexpr std::array<std::string_view, 6> words{"STIFFNESS", "KSTIFF", "STIFF", "MASS", "MMASS", "DAMPING"};
+    const std::string name = upper(matrix.name);
+    return matrix.name.empty() || matrix.is_named_by_user ||
+           std::find(models.begin(), models.end(), model_without_number(matrix)) != models.end() ||
+           std::find(words.begin(), words.end(), name) != words.end();
+}
+
 Candidates of_role(const std::vector<ListedMatrix>& matrices, MatrixRole role) {
     Candidates found;
     for (const ListedMatrix& matrix : matrices)
         if (matrix.role == role && !matrix.is_passed_over && !matrix.entries.empty()) found.push_back(&matrix);
     return found;
+}
+
+// without those whose name alone does not tell what they are, and is not that of another: MUG1 is no mass, MSEAL
+// beside KSEAL is one
+void leave_strangers(Candidates& candidates, const Candidates& others) {
+    std::erase_if(candidates, [&](const ListedMatrix* each) {
+        return !has_known_name(*each) && std::none_of(others.begin(), others.end(), [&](const ListedMatrix* other) {
+            return model_without_number(*other) == model_without_number(*each);
+        });
+    });
 }
 
 // those that fit, unless none does
@@ -72,6 +100,10 @@ PartMatrices chosen_matrices(const std::vector<ListedMatrix>& matrices) {
     Candidates stiffness = of_role(matrices, MatrixRole::stiffness);
     Candidates mass = of_role(matrices, MatrixRole::mass);
     Candidates damping = of_role(matrices, MatrixRole::damping);
+    const Candidates every_mass = mass;
+    leave_strangers(mass, stiffness);
+    leave_strangers(damping, stiffness);
+    leave_strangers(stiffness, every_mass);
     narrow(stiffness, [&](const ListedMatrix& each) {
         return std::any_of(mass.begin(), mass.end(), [&](const ListedMatrix* its) {
             return model_of(*its) == model_of(each) && (its->rows == each.rows || !each.labels.empty());

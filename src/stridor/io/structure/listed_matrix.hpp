@@ -34,7 +34,8 @@ struct ListedMatrix {
     std::string name{};  // its own, where it has one: "KAAX"
     MatrixRole role = MatrixRole::untold;
     Triangles triangles = Triangles::untold;
-    bool is_passed_over = false;  // rectangular, or complex: it has no entries
+    bool is_passed_over = false;    // rectangular, or complex: it has no entries
+    bool is_named_by_user = false;  // its role was said with it
     Eigen::Index rows = 0;
     std::vector<Eigen::Triplet<double>> entries{};  // rows and columns from 0
     std::vector<reduction::RowLabel> labels{};      // shape [row]; empty where the file has none

@@ -80,8 +80,9 @@ public:
                           "known are CalculiX (.sti, .mas, .dof), Matrix Market, Abaqus matrices, Nastran's DMIG and "
                           "OUTPUT4, Ansys' Harwell-Boeing, NumPy's .npz, and tables of labels");
         const bool is_one = matrices_.size() == before + 1;
-        for (std::size_t k = before; k < matrices_.size() && is_one && role != MatrixRole::untold; ++k)
-            matrices_[k].role = role;
+        if (!is_one || role == MatrixRole::untold) return;
+        matrices_.back().role = role;
+        matrices_.back().is_named_by_user = true;
     }
 
     void take_labels(const std::string& path) {
@@ -114,6 +115,7 @@ private:
             names += (names.empty() ? "" : ", ") + matrix.name;
             if (matrix.name != name || matrix.is_passed_over) continue;
             matrix.role = role;
+            matrix.is_named_by_user = true;
             return matrices_.push_back(std::move(matrix));
         }
         throw refusal(path, fmt::format("there is no square matrix {} in it", name), "it holds " + names);

@@ -4,6 +4,8 @@
 #include "structure_texts.hpp"
 #include "structure_writers.hpp"
 
+#include <fmt/format.h>
+
 namespace stridor::io::structure {
 namespace {
 
@@ -71,6 +73,50 @@ TEST(NastranReports, Output4HeadersVary) {
     // a name may begin with a digit, and stands before the others
     const TextFiles named{{"j", narrow + "       2       21MAT    1P,5E16.9\n" + mass + with(narrow, "").at("j")}};
     EXPECT_TRUE(has_note(part_of(named, {.files = {"j"}}), "1MAT"));
+}
+
+// a chain as dense columns, each value as wide as it is printed
+std::string printed_chain(const std::string& name, const std::vector<std::vector<double>>& rows, int digits) {
+    std::string text = fmt::format("{:8d}{:8d}       6       2{:<8}\n", rows.size(), rows.size(), name);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        text += fmt::format("{:8d}       1{:8d}\n", k + 1, rows.size());
+        for (const double value : rows[k])
+            text += fmt::format("{:>{}}", fmt::format("{:.{}E}", value, digits), digits + 7);
+        text += "\n";
+    }
+    return text + fmt::format("{:8d}       1       1\n{:>{}}\n", rows.size() + 1, "1.0E+00", digits + 7);
+}
+
+const std::vector<std::vector<double>> chain_stiffness{{2e6, -1e6, 0.0}, {-1e6, 2e6, -1e6}, {0.0, -1e6, 1e6}};
+const std::vector<std::vector<double>> chain_mass{{0.5, 0.0, 0.0}, {0.0, 0.5, 0.0}, {0.0, 0.0, 0.5}};
+
+TEST(NastranReports, WithoutAFormatNumbersAreAsWideAsTheFirstLineShows) {
+    for (const int digits : {9, 12, 16, 17})
+        expect_chain(
+            part_of({{"j", printed_chain("KAA", chain_stiffness, digits) + printed_chain("MAA", chain_mass, digits)}},
+                    {.files = {"j"}}),
+            std::to_string(digits));
+}
+
+// MUG1 recovers displacements; without a mass the part has none
+TEST(NastranReports, ANameThatOnlyBeginsLikeAMassIsNone) {
+    const std::string stiffness = printed_chain("KAA", chain_stiffness, 9);
+    for (const std::string name : {"MUG1", "MES1", "MQG1O", "MSEAL"}) {
+        const TextFiles files{{"j", stiffness + printed_chain(name, chain_mass, 9)}};
+        expect_refused(files, {.files = {"j"}}, "there is no mass among the files");
+        expect_refused(files, {.files = {"j"}}, "found are KAA, " + name);
+        expect_chain(part_of(files, {.stiffness = "j:KAA", .mass = "j:" + name}), name);
+    }
+    const std::string mass = printed_chain("MAA", chain_mass, 9);
+    const ElasticPart part =
+        part_of({{"j", stiffness + mass + printed_chain("BUG1", chain_mass, 9)}}, {.files = {"j"}});
+    EXPECT_EQ(part.damping.nonZeros(), 0) << "nor is BUG1 a damping";
+    EXPECT_TRUE(has_note(part, "BUG1"));
+    for (const auto& [k, m] : {std::pair("KSEAL", "MSEAL"), std::pair("KXX", "MAA"), std::pair("KSTIFF", "MASS"),
+                               std::pair("K2PP", "M2PP"), std::pair("KAAX", "MAAX")})
+        expect_chain(
+            part_of({{"j", printed_chain(k, chain_stiffness, 9) + printed_chain(m, chain_mass, 9)}}, {.files = {"j"}}),
+            k);
 }
 
 // of single numbers each is one word of a string
@@ -162,6 +208,17 @@ TEST(NastranReports, NothingOfALineIsDropped) {
     refused("DMIG*   KAAX                           1               1\n" + std::string("*      ") +
                 "                1               1     1.0                        2               1     3.0\n",
             "[j.pch:3]");
+    // a value of 24 columns ends in the field of the imaginary part
+    const std::string column = "DMIG*   KAAX                           1               1\n";
+    refused(column + "*                      1               1  2.0000000000000000E+06\n",
+            "\"0000E+06\" stands behind a value of KAAX, which is real");
+    const auto with_zero = [&](const std::string& zero) {
+        return part_of({{"j.pch", head + column + "*                      1               1 2.000000000E+06" + zero +
+                                      "\nDMIG,MAAX,0,6,2,0\nDMIG,MAAX,1,1,,1,1,0.5,0.0\n"}},
+                       {.files = {"j.pch"}});
+    };
+    for (const std::string zero : {"", "             0.0", " 0.000000000E+00", "               0"})
+        EXPECT_EQ(with_zero(zero).stiffness.coeff(0, 0), 2e6) << zero;
 }
 
 // np.savez without names

@@ -36,9 +36,9 @@ TEST(DmigTraps, ValuesTouchTheirComponents) {
 TEST(DmigTraps, ShortAndFreeFieldsAreTheSame) {
     const std::string head = "DMIG    KAAX    0       1       2       0\nDMIG    MAAX    0       1       2       0\n";
     const std::string fixed =
-        "DMIG    KAAX    27      1               27      1       3.+5    3.+3\n"
+        "DMIG    KAAX    27      1               27      1       3.+5    0.\n"
         "        50              1.0     0.\n";
-    const std::string parted = "DMIG,KAAX,27,1,,27,1,3.+5,3.+3\n,50,,1.0,0.\n";
+    const std::string parted = "DMIG,KAAX,27,1,,27,1,3.+5,0.\n,50,,1.0,0.\n";
     for (const std::string& each : {fixed, parted}) {
         const DmigFile file = read_dmig(input_of("DMIG    KAAX    0       1       2       0\n" + each));
         ASSERT_EQ(file.matrices.at(0).labels.size(), 2U);

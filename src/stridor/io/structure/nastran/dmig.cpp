@@ -240,8 +240,22 @@ private:
                     fmt::format("{} of the matrix {} has no value", describe(label_at(at)), held.matrix.name));
             const auto value = real_in(card_->at(at + 2));
             if (!value) throw complaint(fmt::format("\"{}\" is no finite number", card_->at(at + 2)));
+            expect_real(held, at + 3);
             held.matrix.entries.emplace_back(static_cast<int>(row), static_cast<int>(column), *value);
         }
+    }
+
+    // "0000E+06" is no zero there, but the end of a value that is wider than its field
+    void expect_real(const Held& held, std::size_t imaginary) const {
+        const std::string_view text = card_->at(imaginary);
+        const std::size_t digit = std::min(text.find_first_not_of("+-"), text.size());
+        const bool is_whole =
+            text.substr(digit) == "0" || text.substr(digit, 2) == "0." || text.substr(digit, 1) == ".";
+        if (!text.empty() && !(is_whole && real_in(text) == 0.0))
+            throw complaint(fmt::format("\"{}\" stands behind a value of {}, which is real", text, held.matrix.name),
+                            "the field of the imaginary part is empty in a real matrix; a value of more than 16 "
+                            "columns, or 8, reaches into it",
+                            "Write values of 16 columns, %16.9E, or part the fields by commas.");
     }
 
     void take_grid() {

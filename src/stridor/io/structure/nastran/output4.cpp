@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace stridor::io::structure {
 
@@ -29,12 +30,14 @@ struct Output4Header {
     std::int64_t type = 0;
     std::string name;
     FortranFormat values;
+    bool has_format = false;
 
     bool is_square() const { return rows == columns; }
     bool is_complex() const { return type > 2; }
 };
 
-// columns and rows fill eight columns each, or 16 where the line ends in |I16; without a format it is 5E16.9
+// columns and rows fill eight columns each, or 16 where the line ends in |I16; without a format it is 5E16.9, or what
+// the first line of values shows
 std::optional<Output4Header> header_in(std::string_view line) {
     const std::size_t width = base::trimmed(line).ends_with("|I16") ? 16 : 8;
     const std::size_t at = 2 * width;  // where the form stands
@@ -58,7 +61,17 @@ std::optional<Output4Header> header_in(std::string_view line) {
     if (name.empty() || (is_number && is_bare) || !values) return std::nullopt;
     constexpr std::int64_t rows_of_big = 65536;
     const bool is_big = *rows < 0 || *rows >= rows_of_big;
-    return Output4Header{*columns, std::abs(*rows), is_big, *form, *type, name, *values};
+    return Output4Header{*columns, std::abs(*rows), is_big, *form, *type, name, *values, !format.empty()};
+}
+
+// the width of each number is what one point has of the line
+FortranFormat format_shown_by(std::string_view line, const FortranFormat& usual) {
+    line = line.substr(0, line.find_last_not_of(" \r") + 1);
+    const auto points = static_cast<std::size_t>(std::count(line.begin(), line.end(), '.'));
+    if (points == 0 || line.size() % points != 0) return usual;
+    constexpr std::size_t longest_line = 132;  // [1] columns that Nastran prints
+    const std::size_t width = line.size() / points;
+    return {std::max(longest_line / width, points), width};
 }
 
 class Output4Reader {
@@ -104,7 +117,7 @@ private:
         return *value;
     }
 
-    ListedMatrix read_matrix(const Output4Header& header) {
+    ListedMatrix read_matrix(Output4Header header) {
         ListedMatrix matrix{.file = file_,
                             .name = header.name,
                             .role = role_of_name(header.name),
@@ -138,7 +151,7 @@ private:
     };
 
     // all strings of a sparse column: each has its header among the column's words, and a double is two of them
-    void read_strings(const Output4Header& header, ListedMatrix& matrix, std::int64_t column, std::int64_t words) {
+    void read_strings(Output4Header& header, ListedMatrix& matrix, std::int64_t column, std::int64_t words) {
         while (words > 0) {
             expect_more(header.name);
             std::int64_t first = 0;
@@ -162,7 +175,7 @@ private:
         }
     }
 
-    void read_numbers(const Output4Header& header, ListedMatrix& matrix, const NumberRun& run) {
+    void read_numbers(Output4Header& header, ListedMatrix& matrix, const NumberRun& run) {
         const std::int64_t rows = header.is_complex() ? run.count / 2 : run.count;
         if (run.first_row < 1 || rows > header.rows - run.first_row + 1)
             throw complaint(fmt::format("there is no row {}", run.first_row + rows - 1),
@@ -171,6 +184,7 @@ private:
         std::int64_t left = run.count;
         while (left > 0) {
             expect_more(header.name);
+            if (!std::exchange(header.has_format, true)) header.values = format_shown_by(line_.text, header.values);
             const auto fields = fields_of(line_.text, header.values);
             if (fields.empty() || static_cast<std::int64_t>(fields.size()) > left)
                 throw complaint(fmt::format("here should stand {} more values", left), widths(header));
