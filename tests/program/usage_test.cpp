@@ -254,7 +254,8 @@ TEST(Usage, AFolderThatIsNotThereIsToldAtOnce) {
          std::vector<std::vector<std::string>>{{"simulate", "not-there.toml", "--trace", "no/trace.csv"},
                                                {"simulate", "not-there.toml", "--figure", "no/run.png"},
                                                {"report", "not-there.toml", "-o", "no/report.pdf"},
-                                               {"listen", "not-there.toml", "-o", "no/sound.wav"}}) {
+                                               {"listen", "not-there.toml", "-o", "no/sound.wav"},
+                                               {"convert", "not-there.wav", "no/b.csv"}}) {
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.exit_code, 5) << words(arguments);
         EXPECT_TRUE(contains(finished.err, "Create the folder \"no\" first.")) << finished.err;

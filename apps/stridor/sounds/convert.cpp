@@ -56,8 +56,10 @@ void add_convert(CLI::App& program) {
         ->add_option("in", options->input,
                      "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV, UFF 58 or MAT file; - for standard input")
         ->required();
-    command->add_option("out", options->target.file,
-                        "file to write (.wav, .csv, .uff); without it only the report is printed");
+    command
+        ->add_option("out", options->target.file,
+                     "file to write (.wav, .csv, .uff); without it only the report is printed")
+        ->check(in_a_folder());
     add_input_options(*command, options->recording);
     command->add_option("--format", options->target.format, "of OUT, whatever its name")
         ->check(one_of({"wav", "csv", "uff58", "uff58b"}));

@@ -11,11 +11,15 @@ namespace stridor::console {
 
 namespace {
 
-std::string duration_text(double seconds) {
-    if (!std::isfinite(seconds)) return "?";
+// "0:25 left" behind a separator; nothing where it cannot be told
+std::string time_left_text(std::string_view separator, double seconds) {
+    constexpr double longest = 1e8;  // [s] three years
+    if (!(seconds <= longest)) return "";
     const auto whole = static_cast<long>(seconds + 0.5);
-    if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+    const long hours = whole / 3600;
+    const std::string minutes =
+        hours > 0 ? fmt::format("{}:{:02}", hours, whole / 60 % 60) : fmt::format("{}", whole / 60);
+    return fmt::format("{}{}:{:02} left", separator, minutes, whole % 60);
 }
 
 double share_of(std::size_t done, std::size_t total) {
@@ -42,7 +46,7 @@ std::string progress_line(const sweep::Progress& progress, int columns) {
     const double left = static_cast<double>(progress.total - progress.done) / progress.rate;
     std::string numbers = fmt::format("{}/{} cells  {:.0f} %", progress.done, progress.total,
                                       std::floor(100.0 * share_of(progress.done, progress.total)));
-    if (progress.rate > 0.0) numbers += fmt::format("  {:.3g} cells/s  {} left", progress.rate, duration_text(left));
+    if (progress.rate > 0.0) numbers += fmt::format("  {:.3g} cells/s{}", progress.rate, time_left_text("  ", left));
     const std::string counts = counts_text(progress.counts);
     const auto width = static_cast<std::size_t>(columns > 1 ? columns - 1 : 1);
     constexpr std::size_t bar_width = 20;
@@ -85,7 +89,7 @@ std::string ShareDisplay::line(double share, const std::string& detail) {
         fmt::format("{} {} %{}{}", what_, static_cast<int>(100.0 * share), detail.empty() ? "" : ", ", detail);
     if (time_left_ == TimeLeft::hidden || !(share > begin_share_)) return text;
     const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    return text + ", " + duration_text(taken * (1.0 - share) / (share - begin_share_)) + " left";
+    return text + time_left_text(", ", taken * (1.0 - share) / (share - begin_share_));
 }
 
 void ShareDisplay::show(double share, const std::string& detail) {

@@ -27,6 +27,12 @@ TEST(ProgressLine, SaysNoTimeLeftBeforeAnythingIsDone) {
     EXPECT_EQ(progress_line(progress, 200), "[                    ] 0/100 cells  0 %  ");
 }
 
+TEST(ProgressLine, SaysNoTimeLeftThatIsNone) {
+    sweep::Progress progress = half_done();
+    progress.rate = 1e-300;
+    EXPECT_EQ(progress_line(progress, 200).find("left"), std::string::npos);
+}
+
 TEST(ProgressLine, LosesItsBarFirstAndIsNeverWiderThanTheTerminal) {
     const std::string whole = progress_line(half_done(), 200);
     const std::string narrow = progress_line(half_done(), static_cast<int>(whole.size()));

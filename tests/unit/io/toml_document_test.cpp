@@ -106,6 +106,17 @@ TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
     EXPECT_EQ(document.find("plate.mass")->value_place.source_line, "mass = 1");
 }
 
+TEST(TomlDocument, IsNoRecording) {
+    const ScratchFolder scratch;
+    for (const auto& [name, text] : {std::pair("a.wav", "RIFF"), std::pair("a.csv", "time,acc\n0,1\n"),
+                                     std::pair("sound", "RIFF\x24\1\1\1WAVEfmt ")}) {
+        const std::string path = (scratch / name).string();
+        storage::write_file(path, text);
+        expect_error(error_of([&] { load_toml(path); }), "this is a recording, not a case", path);
+        expect_error(error_of([&] { load_toml(path); }), "`stridor classify " + path + "` judges it", path);
+    }
+}
+
 TEST(TomlDocument, LoadsAFileUnderItsOwnName) {
     const ScratchFolder scratch;
     storage::write_file((scratch / "a.toml").string(), "title = \"t\"\n");

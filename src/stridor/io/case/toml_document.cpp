@@ -6,6 +6,8 @@
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/recording_files.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <toml++/toml.h>
@@ -252,6 +254,15 @@ bool is_deep(std::string_view text) {
     return false;
 }
 
+void check_kind(const std::string& path, std::string_view text) {
+    constexpr std::size_t beginning = 4096;  // [bytes]
+    if (!recordings::has_recording_name(path) && !recordings::is_recording(text.substr(0, beginning))) return;
+    throw Error(ErrorKind::input,
+                {"this is a recording, not a case", "a case is a text of keys and values",
+                 "`stridor classify " + path + "` judges it."},
+                base::Place{path, 0, 0, ""});
+}
+
 void check_size(const TomlSource& source) {
     const std::ptrdiff_t points = std::count(source.text.begin(), source.text.end(), '.');
     if (source.text.size() <= largest_file && points <= most_points) return;
@@ -276,7 +287,9 @@ void check_depth(const TomlSource& source) {
 }  // namespace
 
 TomlSource load_toml(const std::string& path, std::vector<std::string> overrides) {
-    return {storage::read_file(path), path == storage::standard_input ? "<stdin>" : path, std::move(overrides)};
+    std::string text = storage::read_file(path);
+    check_kind(path, text);
+    return {std::move(text), path == storage::standard_input ? "<stdin>" : path, std::move(overrides)};
 }
 
 const TomlEntry* TomlDocument::find(std::string_view key) const {
