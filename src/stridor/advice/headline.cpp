@@ -94,7 +94,8 @@ std::string headline(const DesignSpace& space, const DesignVerdict& present, con
     const double within = 100.0 * looked_within;
     switch (standing(present, near)) {
         case Standing::quiet:
-            return fmt::format("{}, with {:g} % more or less of any quantity too", quiet, within);
+            return fmt::format("{}, and at {} steps from {:g} to {:g} % more and less of each quantity too", quiet,
+                               near_steps.size(), 100.0 * near_steps.front(), within);
         case Standing::barely_quiet:
             return fmt::format("{}, but only just: {} {}", quiet, change_words(near->turns.front()),
                                turn_deed(space, near->turns.front().verdict));

@@ -225,6 +225,15 @@ std::vector<Tolerance> default_tolerances(const Case& c) {
     return all;
 }
 
+std::vector<std::string> narrowed_frictions(const Case& c) {
+    std::vector<std::string> all = parameters::design_keys(c);
+    std::erase_if(all, [&](const std::string& key) {
+        const double value = parameters::get_quantity(c, key);
+        return !(room_of(c, key) < default_spread(*parameters::field_of(key), value));
+    });
+    return all;
+}
+
 double value_at(const Tolerance& tolerance, double probability) {
     constexpr double sigmas = 3.0;
     constexpr double cut = 0.0013498980316300945;  // below -3 standard deviations

@@ -52,6 +52,10 @@ std::vector<Tolerance> tolerances(const parameters::Case& c, std::span<const Ask
 /// so that none of these designs contradicts itself. None that would leave the range of its field.
 std::vector<Tolerance> default_tolerances(const parameters::Case& c);
 
+/// Returns the friction coefficients that `default_tolerances` spread by less than usual, or not at all, since mu_d may
+/// not pass mu_s.
+std::vector<std::string> narrowed_frictions(const parameters::Case& c);
+
 /// The value with a cumulative probability of 0 < p < 1; the same bits on every machine.
 double value_at(const Tolerance& tolerance, double probability);
 

@@ -177,6 +177,10 @@ Section change_section(const Advice& advice) {
             100.0 * advice.chance->noise.share, open_words(*advice.chance), 100.0 * advice.chance->noise.low,
             100.0 * advice.chance->noise.high, advice.chance->samples,
             advice.chance->is_default ? " these usual tolerances:" : "", tolerance_words(advice.chance->tolerances)));
+    if (advice.chance && advice.chance->is_default && !advice::narrowed_frictions(advice.space.base).empty())
+        section.paragraphs.push_back(
+            "Friction is spread by less than usual there, since µd stays below µs: what more friction does is told "
+            "above, and no part of the chance.");
     return section;
 }
 

@@ -49,7 +49,8 @@ TEST(Headline, CallsNothingQuietAroundWhichNobodyLooked) {
     EXPECT_EQ(standing(quiet, std::nullopt), Standing::quiet_here);
     EXPECT_EQ(headline(lip(), quiet, std::nullopt), "quiet here; within 5 % of it nobody looked yet");
     EXPECT_EQ(standing(quiet, Neighbourhood{}), Standing::quiet);
-    EXPECT_EQ(headline(lip(), quiet, Neighbourhood{}), "quiet, with 5 % more or less of any quantity too");
+    EXPECT_EQ(headline(lip(), quiet, Neighbourhood{}),
+              "quiet, and at 9 steps from 0.1 to 5 % more and less of each quantity too");
 }
 
 TEST(Headline, NamesTheChangeThatEndsASilence) {
@@ -65,9 +66,9 @@ TEST(Headline, NamesTheChangeThatEndsASilence) {
 
 TEST(Headline, TellsAStickingContactFromASlidingOne) {
     EXPECT_EQ(headline(lip(), verdict({silent, stuck}), Neighbourhood{}),
-              "quiet (it sticks while coming), with 5 % more or less of any quantity too");
+              "quiet (it sticks while coming), and at 9 steps from 0.1 to 5 % more and less of each quantity too");
     EXPECT_EQ(headline(lip(), verdict({stuck, stuck}), Neighbourhood{}),
-              "quiet because it sticks, with 5 % more or less of any quantity too");
+              "quiet because it sticks, and at 9 steps from 0.1 to 5 % more and less of each quantity too");
 }
 
 TEST(Headline, NamesTheWorstPhaseOfASilence) {

@@ -174,7 +174,7 @@ std::string percent(const advice::Estimate& estimate) {
                        100.0 * estimate.high);
 }
 
-std::string chance_lines(const advice::Chance& chance) {
+std::string chance_lines(const advice::Chance& chance, const parameters::Case& base) {
     std::string text = fmt::format("\nchance of noise within{}", chance.is_default ? " usual tolerances," : "");
     for (std::size_t k = 0; k < chance.tolerances.size(); ++k) {
         const advice::Tolerance& each = chance.tolerances[k];
@@ -184,6 +184,9 @@ std::string chance_lines(const advice::Chance& chance) {
                             each.spread == advice::Spread::normal ? " (normal)" : "");
     }
     text += fmt::format(":\n  {}, 95 % confidence, {} samples\n", percent(chance.noise), chance.samples);
+    if (const auto narrowed = advice::narrowed_frictions(base); chance.is_default && !narrowed.empty())
+        text += fmt::format("  less than usual of {}: mu_d stays below mu_s; more friction is judged above\n",
+                            base::listed(narrowed));
     for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
         if (chance.by_verdict[k].share > 0.0)
             text += fmt::format("  {:<10} {}\n", sweep::verdict_words[k], percent(chance.by_verdict[k]));
@@ -203,7 +206,7 @@ std::string advice_text(const Advice& advice) {
     text += "judged " + judged_words(space) + "\n\n" + margins_table(advice) + "\n" + ranking_line(advice) +
             nearest_line(advice);
     if (!advice::is_quiet(advice.present)) text += "\n" + changes_list(advice);
-    if (advice.chance) text += chance_lines(*advice.chance);
+    if (advice.chance) text += chance_lines(*advice.chance, space.base);
     text +=
         "\ndistances are shares of what was looked at; a verdict is the model's. Islands narrower than "
         "the\n"
