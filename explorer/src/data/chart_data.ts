@@ -1,5 +1,5 @@
 /** What a chart shows, put together from the frames it comes in. Pure. */
-import type { Direction } from "../program/words.ts";
+import { chartKinds, type Direction } from "../program/words.ts";
 import { bytesOf, floatsOf } from "./frames.ts";
 import { namePlaces, spread, type NamePlace } from "./regions.ts";
 import type { BoundaryLine, ChartAxisFrame, ChartFrame } from "./types.ts";
@@ -22,6 +22,12 @@ export interface ChartData {
 /** Is a cell of a chart that is not finished still to be computed? What it then shows is its neighbour's. */
 export function isAwaited(data: ChartData, index: number): boolean {
   return !data.done && data.computed !== null && !data.computed[index];
+}
+
+/** What the picture shows in a cell, in a word. */
+export function wordAt(data: ChartData, index: number): string {
+  if (isAwaited(data, index)) return "not computed yet";
+  return chartKinds[data.category[index] as number] ?? (data.done ? "no result" : "not computed yet");
 }
 
 /** How many cells of a direction were computed. */

@@ -1,12 +1,12 @@
 /** The chart: two directions side by side, streamed as it is refined, followed while a slider is dragged. */
 import * as api from "../data/api.ts";
 import { isOfJoints, jointsOf, valueIn } from "../data/cases.ts";
-import { computedIn, merged, type ChartData } from "../data/chart_data.ts";
+import { computedIn, merged, wordAt, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case, ChartFrame, Simulation, Start } from "../data/types.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { between, exact, plain, quantity, symbolText, title, unitText, words, writtenIn } from "../draw/format.ts";
-import { paintMap, type Look, type Mark } from "../draw/map.ts";
+import { indexOf, paintMap, type Look, type Mark } from "../draw/map.ts";
 import { holds, nearest, widened, zoomed } from "../draw/scale.ts";
 import type { Surface } from "../draw/surface.ts";
 import { onLook, palette } from "../draw/theme.ts";
@@ -18,7 +18,6 @@ import { ChartPanel, type PanelOwner } from "./chart_panel.ts";
 import { ChartReadout, type Cell } from "./chart_readout.ts";
 import { Legend } from "./legend.ts";
 import { quantitiesOf, quantityOf } from "./parameters.ts";
-import { phaseOf } from "./verdict.ts";
 
 const stepPause = 1500; // [ms] arrow keys within it are one step of the history
 const longestAnswer = 115_000; // [ms] the program stops what takes two minutes
@@ -49,6 +48,7 @@ export class Chart implements PanelOwner {
   );
   private stepped_ = -Infinity; // [ms] when an arrow key last moved the cell
   private data_: ChartData | null = null;
+  private dataKey_ = ""; // of what was asked for it
   private shownKey_ = "";
   private wasPreview_ = false;
   private resolved_: Case;
@@ -98,7 +98,7 @@ export class Chart implements PanelOwner {
   follow(state: State, step: Step): void {
     this.controls_.show(state, this.resolved_);
     const wish = this.wish_(state, step === "drag");
-    const key = JSON.stringify({ ...wish, preview: false });
+    const key = keyOf(wish);
     const same = key === this.shownKey_;
     if (!same || (this.wasPreview_ && !wish.preview)) {
       this.shownKey_ = key;
@@ -113,7 +113,6 @@ export class Chart implements PanelOwner {
   know(simulation: Simulation): void {
     this.resolved_ = simulation.case;
     this.controls_.show(this.store_.state, this.resolved_);
-    this.describe_(simulation);
     this.repaint();
   }
 
@@ -153,6 +152,7 @@ export class Chart implements PanelOwner {
 
   repaint(): void {
     this.seek_();
+    this.describe_();
     for (const { surface } of this.panels_) surface.invalidate();
     this.legend_.show(this.data_, this.store_.state.figure, this.start_);
     this.gaps_.hidden = !this.data_?.gaps;
@@ -222,6 +222,7 @@ export class Chart implements PanelOwner {
         data = merged(data, frame, wish.figure !== "category");
         if (!data) continue;
         this.data_ = data;
+        this.dataKey_ = keyOf(wish);
         this.problem_.hidden = true;
         this.note_(frame, wish, performance.now() - began);
         for (const { surface } of this.panels_) surface.draw();
@@ -351,18 +352,31 @@ export class Chart implements PanelOwner {
     this.zoom(part(x, here.x), part(y, here.y));
   }
 
-  private describe_(simulation: Simulation): void {
+  /** Says of each direction what its picture shows where the design is. */
+  private describe_(): void {
     const { x, y } = this.store_.state;
     const here = this.design();
-    for (const panel of this.panels_) {
-      const phase = phaseOf(simulation, panel.direction);
-      const part = (axis: Axis, value: number): string =>
-        `${words(axis.parameter)} ${quantity(value, this.unit_(axis))}`;
-      const at = `${part(x, here.x)}, ${part(y, here.y)}`;
-      const label = `Noise chart, ${panel.direction}. Cell at ${at}: ${phase?.verdict.category ?? "no result"}`;
-      panel.surface.canvas.setAttribute("aria-label", label);
+    const part = (axis: Axis, value: number): string => `${words(axis.parameter)} ${quantity(value, this.unit_(axis))}`;
+    const at = `${part(x, here.x)}, ${part(y, here.y)}`;
+    for (const { direction, surface } of this.panels_) {
+      const label = `Noise chart, ${direction}. Cell at ${at}: ${this.wordOf_(direction, here)}`;
+      if (surface.canvas.getAttribute("aria-label") !== label) surface.canvas.setAttribute("aria-label", label);
     }
   }
+
+  private wordOf_(direction: Direction, { x, y }: Mark): string {
+    const { data_: data } = this;
+    if (!holds(this.store_.state.x, x) || !holds(this.store_.state.y, y)) return "outside the chart";
+    const isKnown = Number.isFinite(x) && Number.isFinite(y) && this.dataKey_ === this.shownKey_;
+    if (!data || !isKnown) return "not computed yet"; // the picture is of another design
+    const [ix, iy] = [nearest(data.x.values, x, data.x.scale), nearest(data.y.values, y, data.y.scale)];
+    return wordAt(data, indexOf(data, direction, ix, iy));
+  }
+}
+
+/** What a chart depends on, however quickly it is wanted. */
+function keyOf(wish: api.ChartWish): string {
+  return JSON.stringify({ ...wish, preview: false });
 }
 
 /** What is wrong with a cell and why, without what to do about one; numbers with few digits. */

@@ -1,13 +1,13 @@
 /** What the chart says of the cell under the pointer: what it knows at once, and figures of a run after a rest. */
 import * as api from "../data/api.ts";
 import { rubbing } from "../data/cases.ts";
-import { isAwaited, type ChartData } from "../data/chart_data.ts";
+import { isAwaited, wordAt, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case } from "../data/types.ts";
 import { h, setText } from "../draw/dom.ts";
 import { level, percent, plain, quantity, words } from "../draw/format.ts";
 import { indexOf } from "../draw/map.ts";
-import { chartKinds, type Direction } from "../program/words.ts";
+import type { Direction } from "../program/words.ts";
 import type { Design } from "../state/state.ts";
 import { phaseOf } from "./verdict.ts";
 
@@ -86,8 +86,8 @@ function cellText({ data, figure, unit }: Shown, { direction, ix, iy }: Cell): s
   const part = (axis: ChartData["x"], i: number): string =>
     `${words(axis.parameter)} ${quantity(axis.values[i], axis.unit)}`;
   const where = [direction, part(data.x, ix), part(data.y, iy)];
-  if (isAwaited(data, index)) return [...where, "not computed yet"].join(" · ");
-  const category = chartKinds[data.category[index] as number] ?? "no result";
+  const category = wordAt(data, index);
+  if (isAwaited(data, index)) return [...where, category].join(" · ");
   const value = data.figure ? `${words(figure)} ${quantity(data.figure[index], unit)}` : "";
   const source = data.computed ? (data.computed[index] ? "" : "inferred") : "";
   return [...where, category, value, source].filter(Boolean).join(" · ");

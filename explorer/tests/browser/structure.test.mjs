@@ -182,6 +182,15 @@ test("a structure of matrices in files is read once, and drawn at the places of 
   await assert.rejects(readFile(masses));
 });
 
+test("what is read aloud of the chart is what it shows, each way", async () => {
+  await withFile("weatherstrip.toml", ready("weatherstrip"), async (page) => {
+    await page.waitForSelector('#chart[data-done="true"]');
+    const said = (direction) => page.locator(`#chart canvas[data-direction=${direction}]`).getAttribute("aria-label");
+    assert.match(await said("going"), /: locks$/);
+    assert.match(await said("coming"), /: squeal$/);
+  });
+});
+
 test("of several joints each has its name and its mark, and what has no result says why", async () => {
   const axes = `
 [chart]

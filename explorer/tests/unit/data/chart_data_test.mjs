@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { computedIn, isAwaited, merged } from "../../../src/data/chart_data.ts";
+import { computedIn, isAwaited, merged, wordAt } from "../../../src/data/chart_data.ts";
 import { table } from "../../../src/views/share.ts";
 
 const coded = (numbers) => Buffer.from(numbers).toString("base64");
@@ -17,6 +17,13 @@ test("cells are awaited until the chart is finished", () => {
   const awaited = (data) => [0, 1, 2, 3].map((index) => isAwaited(data, index));
   assert.deepEqual(awaited(merged(null, frame(false), false)), [false, true, true, true]);
   assert.deepEqual(awaited(merged(null, frame(true), false)), [false, false, false, false], "inferred");
+});
+
+test("a cell is called what its picture shows, and nothing as long as it is not computed", () => {
+  const codes = { ...frame(true), category: coded([6, 1, 5, 255]), computed_mask: coded([1, 0, 1, 0]) };
+  const said = (done) => [0, 1, 2, 3].map((index) => wordAt(merged(null, { ...codes, done }, false), index));
+  assert.deepEqual(said(true), ["locks", "squeal", "none (sticks)", "no result"]);
+  assert.deepEqual(said(false), ["locks", "not computed yet", "none (sticks)", "not computed yet"]);
 });
 
 test("of each direction it is known how many cells were computed, also where there are none yet", () => {
