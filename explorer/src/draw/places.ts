@@ -18,6 +18,14 @@ interface Kept {
   value: number;
 }
 
+/**
+ * A range with room above the own value, which else may lie at its end: a hand that went there and came back by as many
+ * steps would not find it. As far as the quantity goes at most.
+ */
+export function roomy(range: Range, own: number, most: number | null): Range {
+  return { ...range, to: Math.max(range.to, Math.min(1.5 * own, most ?? Infinity)) };
+}
+
 /** By magnitude, where the range has no sign: the sign stays as it is. */
 export class Places {
   /** Where the hand is. */

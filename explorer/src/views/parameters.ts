@@ -14,7 +14,7 @@ import {
   withUnit,
   words,
 } from "../draw/format.ts";
-import type { Range } from "../draw/places.ts";
+import { roomy, type Range } from "../draw/places.ts";
 import { holds } from "../draw/scale.ts";
 import { companions, dependants, needsFile } from "./companions.ts";
 import { withoutKeys, withValues, type Axis, type Design, type State } from "../state/state.ts";
@@ -48,6 +48,11 @@ export function rangesOf(start: Start, preset: string): Preset["ranges"] {
 function rangeOf({ key, usual }: QuantityField, resolved: Case, ranges: Preset["ranges"]): Range | null {
   if (valueIn(resolved, key) === undefined || followsTemperature(resolved, key)) return null;
   return ranges[key] ?? usual ?? null;
+}
+
+/** The range of a slider: that of the quantity; of friction and other ratios with room above the own value. */
+function reachOf(field: QuantityField, own: number, range: Range | null): Range | null {
+  return range && field.unit === "1" && range.scale === "linear" ? roomy(range, own, field.high) : range;
 }
 
 /** The quantities that can be varied in a case, with the values between which. */
@@ -311,7 +316,8 @@ export class Parameters {
       else if (plainNumber(withUnit(number.value, unit, known)) === known) number.value = shown;
       number.title = `${exact(known)} ${unitText(unit)}`.trim();
       const range = rangeOf(field, this.preset_, rangesOf(this.start_, this.store_.state.design.preset));
-      slider?.show(known, shown, base === undefined ? undefined : Number(base), range);
+      const own = base === undefined ? undefined : Number(base);
+      slider?.show(known, shown, own, reachOf(field, own ?? 0, range));
       reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;
     };
     return { field, element, show };

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { lastPlace, Places } from "../../../src/draw/places.ts";
+import { lastPlace, Places, roomy } from "../../../src/draw/places.ts";
 
 const soft = { from: 0.0004, to: 0.04, scale: "log" }; // around a lip of 4 g
 const random = (() => {
@@ -70,4 +70,17 @@ test("the sign stays as it is, and zero is found again on a log scale", () => {
   assert.equal(dampings.show(0, 0, null), 0);
   moved(dampings, 500, 0, null);
   assert.equal(moved(dampings, 0, 0, null), 0);
+});
+
+test("fifty steps up and fifty down from a value at the end of its range are the value", () => {
+  const usual = { from: 0, to: 1.2, scale: "linear" };
+  const range = roomy(usual, 1.2, null);
+  assert.ok(range.to >= 1.5 * 1.2);
+  assert.deepEqual(roomy(usual, 0.3, null), usual, "there is room");
+  assert.equal(roomy({ ...usual, to: 1 }, 0.9, 1).to, 1, "it cannot be larger");
+  const places = new Places(usual);
+  places.show(1.2, 1.2, range);
+  for (const step of [1, -1])
+    for (let k = 0; k < 50; ++k) moved(places, Math.min(Math.max(places.place + step, 0), lastPlace), 1.2, range);
+  assert.equal(places.at(places.place), 1.2);
 });
