@@ -8,8 +8,8 @@ import { gzipSync } from "node:zlib";
 
 // bytes, gzip
 const parts = [
-  { name: "first load", budget: 42_000, files: ["index.html", "page.js", "chunk.js", "page.css"] },
-  { name: "later", budget: 42_000, files: ["later.js"] },
+  { name: "first load", budget: 43_000, files: ["index.html", "page.js", "chunk.js", "page.css"] },
+  { name: "later", budget: 43_000, files: ["later.js"] },
 ];
 const here = dirname(fileURLToPath(import.meta.url));
 const out = process.argv[2] ?? join(here, "dist");

@@ -42,9 +42,9 @@ export function tour(store: Store): Tour {
 let sheet: Help | null = null;
 
 /** Opens or closes the sheet of keys. */
-export function help(): void {
+export function help({ presets }: Start): void {
   if (!sheet) {
-    sheet = new Help();
+    sheet = new Help(presets.map(({ name }) => name));
     document.body.append(sheet.element);
   }
   sheet.toggle();

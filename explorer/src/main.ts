@@ -263,7 +263,7 @@ class Page {
 
   private async help_(): Promise<void> {
     try {
-      (await later()).help();
+      (await later()).help(this.start_);
     } catch (error) {
       this.complain_(error);
     }

@@ -1,7 +1,7 @@
 /** Axes around a picture: marks with their numbers, and titles. Painting only. */
 import type { Scale } from "../program/words.ts";
 import type { Palette } from "./colours.ts";
-import { plain } from "./format.ts";
+import { toldApart } from "./format.ts";
 import { share, ticksOfScale } from "./scale.ts";
 import { font } from "./surface.ts";
 
@@ -23,13 +23,22 @@ export interface AxisLook {
   factor?: number;
 }
 
+/** Room for the numbers of y and its title [px]. */
+export function marginOf(pen: CanvasRenderingContext2D, y: AxisLook, height: number): number {
+  pen.font = font(11);
+  return 28 + Math.max(0, ...marksOfY(y, height).map(({ text }) => pen.measureText(text).width));
+}
+
+function marksOfY(y: AxisLook, height: number): { text: string; part: number }[] {
+  return marks(y, height / 40);
+}
+
 function marks(axis: AxisLook, wanted: number): { text: string; part: number }[] {
   const { from, to, scale = "linear", factor = 1 } = axis;
   const place = axis.place ?? ((value: number) => share(value, from, to, scale));
-  return ticksOfScale(from * factor, to * factor, scale, wanted).map((value) => ({
-    text: plain(value),
-    part: place(value / factor),
-  }));
+  const values = ticksOfScale(from * factor, to * factor, scale, wanted);
+  const texts = toldApart(values);
+  return values.map((value, k) => ({ text: texts[k] as string, part: place(value / factor) }));
 }
 
 /** A frame with x below and y to the left of it. */
@@ -56,7 +65,7 @@ export function paintAxes(pen: CanvasRenderingContext2D, palette: Palette, box: 
   }
   pen.textAlign = "right";
   pen.textBaseline = "middle";
-  for (const { text, part } of marks(y, box.height / 40)) {
+  for (const { text, part } of marksOfY(y, box.height)) {
     const at = Math.round(bottom - box.height * part) + 0.5;
     pen.moveTo(box.left - 4, at);
     pen.lineTo(box.left, at);

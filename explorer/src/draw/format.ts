@@ -63,6 +63,14 @@ export function plain(value: number, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** Marks of a scale from low to high, with as many digits as tell each from the next. */
+export function toldApart(values: readonly number[]): string[] {
+  const step = Math.min(...values.slice(1).map((value, k) => value - (values[k] as number)));
+  const size = Math.max(...values.map(Math.abs));
+  const digits = Math.min(Math.max(4, Math.ceil(Math.log10(size / step)) + 1), 12);
+  return values.map((value) => plain(value, digits));
+}
+
 export function unitText(unit: string): string {
   if (unit === "1" || unit === "") return "";
   if (unit === "deg") return "°";

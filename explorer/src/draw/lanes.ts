@@ -3,7 +3,7 @@ import type { Motion } from "../data/frames.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
 import { bandsHeight, marginLeft, marginRight, paintBands } from "./bands.ts";
 import type { Palette } from "./colours.ts";
-import { plain, unitText, writtenIn } from "./format.ts";
+import { toldApart, unitText, writtenIn } from "./format.ts";
 import type { LaneSpec } from "./lane_specs.ts";
 import { ticks, ticksOfScale } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
@@ -128,7 +128,8 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   const unit = motion.columns.get(lane.curves[0]?.column ?? "")?.unit ?? "";
   const written = writtenIn(unit, Math.max(high, -low));
   const marks = ticksOfScale(low * written.factor, high * written.factor, "linear", box.height / 26);
-  for (const value of marks) {
+  const texts = toldApart(marks);
+  for (const [k, value] of marks.entries()) {
     const at = Math.round(y(value / written.factor)) + 0.5;
     if (at < box.top || at > box.top + box.height) continue;
     pen.strokeStyle = value === 0 ? view.palette.line : view.palette.grid;
@@ -137,7 +138,7 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
     pen.lineTo(marginLeft + box.inner, at);
     pen.stroke();
     pen.fillStyle = view.palette.muted;
-    pen.fillText(plain(value), marginLeft - 5, at);
+    pen.fillText(texts[k] as string, marginLeft - 5, at);
   }
   pen.save();
   pen.beginPath();

@@ -1,7 +1,7 @@
 /** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
 import { lastAtMost, shownContact, valueAt, type Motion } from "../data/frames.ts";
 import type { ContactState } from "../program/words.ts";
-import { paintAxes } from "./axes.ts";
+import { marginOf, paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
 import { columnOf, isOnPlate } from "./lane_specs.ts";
 import { unitText, writtenIn } from "./format.ts";
@@ -37,17 +37,23 @@ export function paintPortrait(
       low = Math.min(low, values[k] as number);
       high = Math.max(high, values[k] as number);
     }
-    const room = 0.06 * (high - low) || 1e-9;
+    // no finer than the samples, of 24 bits, which a joint at rest does not leave
+    const size = Math.max(high, -low);
+    const room = Math.max(0.06 * (high - low), 1e-6 * size) || 1e-9;
     return [low - room, high + room];
   };
   const [x0, x1] = ends(x);
   const [v0, v1] = ends(v);
-  const box = { left: 54, top: 8, width: surface.width - 62, height: surface.height - 46 };
+  const { pen } = surface;
+  const speed = writtenIn("m/s", Math.max(v1, -v0));
+  const across = `${sign === "x" ? "ẋ" : "ẋ₁"} [${unitText(speed.unit)}]`;
+  const y = { title: across, from: v0, to: v1, factor: speed.factor };
+  const height = surface.height - 46;
+  const left = Math.max(54, marginOf(pen, y, height));
+  const box = { left, top: 8, width: surface.width - left - 8, height };
   if (box.width < 20 || box.height < 20) return;
   const px = (value: number): number => box.left + (box.width * (value - x0)) / (x1 - x0);
   const py = (value: number): number => box.top + (box.height * (v1 - value)) / (v1 - v0);
-  const { pen } = surface;
-  const speed = writtenIn("m/s", Math.max(v1, -v0));
   paintAxes(
     pen,
     palette,
@@ -58,7 +64,7 @@ export function paintPortrait(
       to: x1,
       factor: 1000,
     },
-    { title: `${sign === "x" ? "ẋ" : "ẋ₁"} [${unitText(speed.unit)}]`, from: v0, to: v1, factor: speed.factor },
+    y,
   );
 
   pen.save();

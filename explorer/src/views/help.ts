@@ -7,7 +7,6 @@ const groups: readonly [string, readonly [string, string][]][] = [
     [
       ["?", "this sheet"],
       ["t", "the tour"],
-      ["1 … 4", "the four cases"],
       ["d", "the other direction"],
       ["p", "play or pause the motion"],
       ["x", "A ⇄ B while listening"],
@@ -45,7 +44,11 @@ const groups: readonly [string, readonly [string, string][]][] = [
 export class Help {
   readonly element: HTMLDialogElement;
 
-  constructor() {
+  constructor(cases: readonly string[]) {
+    const numbers: [string, string] = [`1 … ${cases.length}`, `the cases: ${cases.join(", ")}`];
+    const all = groups.map(
+      ([title, keys], k) => [title, k === 0 ? [...keys.slice(0, 2), numbers, ...keys.slice(2)] : keys] as const,
+    );
     this.element = h(
       "dialog",
       { "id": "help", "aria-labelledby": "help-title" },
@@ -56,7 +59,7 @@ export class Help {
         h("span", { class: "spacer" }),
         button("Close", () => this.element.close()),
       ),
-      ...groups.map(([title, keys]) =>
+      ...all.map(([title, keys]) =>
         h(
           "section",
           {},

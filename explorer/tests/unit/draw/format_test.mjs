@@ -12,6 +12,7 @@ import {
   symbolParts,
   symbolText,
   title,
+  toldApart,
   withUnit,
   writtenIn,
 } from "../../../src/draw/format.ts";
@@ -127,4 +128,12 @@ test("numbers keep few digits and never lie about nothing", () => {
 
 test("a row of values wraps between them alone", () => {
   assert.equal(inRow(["t = 5 ms", "N = 20 N"]), "t\u00a0=\u00a05\u00a0ms · N\u00a0=\u00a020\u00a0N");
+});
+
+test("marks of a small span far from zero have the digits that tell them apart", () => {
+  assert.deepEqual(toldApart([0.05001, 0.05002, 0.05003]), ["0.05001", "0.05002", "0.05003"]);
+  assert.deepEqual(toldApart([1000000, 1000001]), ["1000000", "1000001"]);
+  assert.deepEqual(toldApart([0, 0.2, 0.4]), ["0", "0.2", "0.4"]);
+  assert.deepEqual(toldApart([7]), ["7"]);
+  assert.deepEqual(toldApart([]), []);
 });
