@@ -5,12 +5,14 @@ import { chartKinds, type Direction } from "../program/words.ts";
 import { paintAxes, type AxisLook, type Box } from "./axes.ts";
 import { fillOf, paleness, paleOf, sequential, textOn, tile, type Palette } from "./colours.ts";
 import { writtenIn } from "./format.ts";
+import { besideMarks, markRadius, placesAbout, type Spot } from "./mark_names.ts";
 import { at, share } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
 export interface Look {
   palette: Palette;
   title: string;
+  shortTitle: string; // where there is no room for it
   xTitle: string;
   yTitle: string; // empty: neither title nor numbers on y
   chosen: boolean;
@@ -189,7 +191,8 @@ function paintFrameOf(surface: Surface, box: Box, data: ChartData, look: Look): 
   pen.font = font(12, look.chosen ? 650 : 500);
   pen.textAlign = "left";
   pen.textBaseline = "alphabetic";
-  pen.fillText(look.title, box.left, box.top - 9);
+  const isRoom = pen.measureText(look.title).width <= box.width + 12;
+  pen.fillText(isRoom ? look.title : look.shortTitle, box.left, box.top - 9);
 }
 
 function mark(pen: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
@@ -206,50 +209,73 @@ export interface Mark {
   y: number;
 }
 
-/** Where the design lies: a ring that is seen on every ground, of the first one hair lines, too. */
-export function paintDesign(
-  surface: Surface,
-  box: Box,
-  data: ChartData,
-  { name, x, y }: Mark,
-  rank: number,
-  look: Look,
-): void {
+/**
+ * Where the design lies: a ring that is seen on every ground, of the first one hair lines, too. Of several each has its
+ * name, or its number where there is no room for names. Are there numbers?
+ */
+export function paintDesigns(surface: Surface, box: Box, data: ChartData, marks: readonly Mark[], look: Look): boolean {
   const { pen } = surface;
-  const px = box.left + box.width * place(x, data.x);
-  const py = box.top + box.height * (1 - place(y, data.y));
+  const spots = marks.map(({ x, y }) => ({
+    x: box.left + box.width * place(x, data.x),
+    y: box.top + box.height * (1 - place(y, data.y)),
+  }));
   pen.save();
   pen.beginPath();
   pen.rect(box.left - 1, box.top - 1, box.width + 2, box.height + 2);
   pen.clip();
+  spots.forEach((spot, rank) => paintRing(pen, box, spot, rank === 0, look.chosen));
+  const isNumbered = marks.length > 1 && paintMarkNames(pen, box, spots, marks);
+  pen.restore();
+  return isNumbered;
+}
+
+function paintRing(pen: CanvasRenderingContext2D, box: Box, { x, y }: Spot, isFirst: boolean, chosen: boolean): void {
   for (const [colour, width] of [
     ["#FFFFFF", 2.6],
     ["#111418", 1.2],
   ] as const) {
-    pen.globalAlpha = look.chosen ? 0.85 : 0.4;
+    pen.globalAlpha = chosen ? 0.85 : 0.4;
     pen.strokeStyle = colour;
     pen.lineWidth = width;
-    if (look.chosen && rank === 0) {
-      mark(pen, box.left, py, px - 8, py);
-      mark(pen, px + 8, py, box.left + box.width, py);
-      mark(pen, px, box.top, px, py - 8);
-      mark(pen, px, py + 8, px, box.top + box.height);
+    if (chosen && isFirst) {
+      mark(pen, box.left, y, x - 8, y);
+      mark(pen, x + 8, y, box.left + box.width, y);
+      mark(pen, x, box.top, x, y - 8);
+      mark(pen, x, y + 8, x, box.top + box.height);
     }
     pen.globalAlpha = 1;
-    pen.lineWidth = width + (look.chosen ? 0.8 : 0);
+    pen.lineWidth = width + (chosen ? 0.8 : 0);
     pen.beginPath();
-    pen.arc(px, py, 6, 0, 2 * Math.PI);
+    pen.arc(x, y, markRadius, 0, 2 * Math.PI);
     pen.stroke();
   }
+}
+
+function paintMarkNames(pen: CanvasRenderingContext2D, box: Box, spots: Spot[], marks: readonly Mark[]): boolean {
   pen.font = font(11, 600);
-  pen.textAlign = "left";
-  pen.textBaseline = rank % 2 === 0 ? "bottom" : "top"; // neighbours do not lie on each other
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
   pen.lineWidth = 3;
   pen.strokeStyle = "#FFFFFF";
   pen.fillStyle = "#111418";
-  pen.strokeText(name, px + 9, py);
-  pen.fillText(name, px + 9, py);
-  pen.restore();
+  const names = marks.map(({ name }) => name);
+  const numbers = marks.map((_, k) => String(k + 1));
+  const placesOf = (texts: string[]): (Box | null)[] | null =>
+    besideMarks(
+      spots,
+      texts.map((text) => pen.measureText(text).width + 2),
+      box,
+    );
+  const named = placesOf(names);
+  const places = named ?? placesOf(numbers) ?? spots.map((spot) => placesAbout(spot, 9)[0] ?? null);
+  places.forEach((space, k) => {
+    if (!space) return;
+    const text = (named ? names : numbers)[k] as string;
+    const [x, y] = [space.left + space.width / 2, space.top + space.height / 2 + 0.5];
+    pen.strokeText(text, x, y);
+    pen.fillText(text, x, y);
+  });
+  return !named;
 }
 
 /** An outline of a cell or of a zoom to be. */

@@ -5,7 +5,18 @@ import { computedIn, merged, wordAt, type ChartData } from "../data/chart_data.t
 import { Latest } from "../data/latest.ts";
 import type { Case, ChartFrame, Simulation, Start } from "../data/types.ts";
 import { button, h, setText } from "../draw/dom.ts";
-import { between, exact, plain, quantity, symbolText, title, unitText, words, writtenIn } from "../draw/format.ts";
+import {
+  between,
+  exact,
+  inRow,
+  plain,
+  quantity,
+  symbolText,
+  title,
+  unitText,
+  words,
+  writtenIn,
+} from "../draw/format.ts";
 import { indexOf, paintMap, type Look, type Mark } from "../draw/map.ts";
 import { holds, nearest, widened, zoomed } from "../draw/scale.ts";
 import type { Surface } from "../draw/surface.ts";
@@ -37,6 +48,8 @@ export class Chart implements PanelOwner {
   private readonly problem_ = h("p", { class: "complaint", hidden: true, role: "alert" });
   private readonly outside_ = h("p", { class: "outside", id: "outside", role: "status", hidden: true });
   private readonly gaps_ = h("p", { class: "outside", id: "gaps", role: "status", hidden: true });
+  private readonly key_ = h("p", { class: "muted", id: "marks", hidden: true }); // of marks with numbers
+  private readonly numbered_ = new Set<Direction>(); // where marks have them
   private readonly panels_: ChartPanel[];
   private readonly readout_: ChartReadout;
   private readonly controls_: AxisControls;
@@ -82,7 +95,7 @@ export class Chart implements PanelOwner {
         this.gaps_,
       ),
       this.box_,
-      h("div", { class: "under" }, this.legend_.element, this.readout_.element),
+      h("div", { class: "under" }, this.legend_.element, this.key_, this.readout_.element),
     );
     onLook(() => this.repaint());
     const stack = ({ clientWidth, clientHeight } = this.box_): boolean =>
@@ -155,6 +168,9 @@ export class Chart implements PanelOwner {
     this.describe_();
     for (const { surface } of this.panels_) surface.invalidate();
     this.legend_.show(this.data_, this.store_.state.figure, this.start_);
+    const marks = this.marks();
+    this.key_.hidden = marks.length < 2;
+    setText(this.key_, inRow(marks.map(({ name }, k) => `${k + 1} ${name}`)));
     this.gaps_.hidden = !this.data_?.gaps;
     setText(this.gaps_, `Cells without a result, such as: ${gapText(this.data_?.gaps ?? "")}`);
   }
@@ -167,9 +183,11 @@ export class Chart implements PanelOwner {
   lookOf(direction: Direction): Look {
     const { state } = this.store_;
     const stacked = this.box_.classList.contains("stacked");
+    const cells = this.soFar_(direction);
     return {
       palette: palette(),
-      title: (direction === "going" ? "going (V > 0)" : "coming (V < 0)") + this.soFar_(direction),
+      title: (direction === "going" ? "going (V > 0)" : "coming (V < 0)") + (cells && `: ${cells} so far`),
+      shortTitle: direction + (cells && `: ${cells}`),
       xTitle: this.axisTitle_(state.x),
       yTitle: direction === "going" || stacked ? this.axisTitle_(state.y) : "",
       chosen: direction === state.direction,
@@ -197,7 +215,7 @@ export class Chart implements PanelOwner {
   // a chart on its way is computed one direction after the other where each has runs of its own
   private soFar_(direction: Direction): string {
     const { data_: data } = this;
-    return !data || data.done ? "" : `: ${computedIn(data, direction) || "no"} cells so far`;
+    return !data || data.done ? "" : `${computedIn(data, direction) || "no"} cells`;
   }
 
   private wish_(state: State, preview: boolean): api.ChartWish {
@@ -281,6 +299,12 @@ export class Chart implements PanelOwner {
       else marks.push(mark);
     });
     return marks.length > 1 ? marks : marks.map((mark) => ({ ...mark, name: "" }));
+  }
+
+  numbered(direction: Direction, isNumbered: boolean): void {
+    if (isNumbered) this.numbered_.add(direction);
+    else this.numbered_.delete(direction);
+    this.key_.style.visibility = this.numbered_.size > 0 ? "visible" : "hidden"; // its line is kept: nothing jumps
   }
 
   hovered({ direction, hover }: ChartPanel): void {

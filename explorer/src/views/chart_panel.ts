@@ -4,7 +4,7 @@ import { h } from "../draw/dom.ts";
 import {
   cellAt,
   cellBox,
-  paintDesign,
+  paintDesigns,
   paintFrame,
   paintMap,
   plotBox,
@@ -21,6 +21,8 @@ export interface PanelOwner {
   lookOf(direction: Direction): Look;
   /** Where the design is on the axes; of several joints with different values each. */
   marks(): Mark[];
+  /** Do its marks have numbers in the place of their names? */
+  numbered(direction: Direction, isNumbered: boolean): void;
   hovered(panel: ChartPanel): void;
   choose(direction: Direction, cell: { ix: number; iy: number }): void;
   zoom(across: [number, number], up: [number, number]): void;
@@ -63,7 +65,7 @@ export class ChartPanel {
     const look = this.owner_.lookOf(this.direction);
     const box = plotBox(this.surface, look);
     paintMap(this.surface, data, this.direction, look);
-    this.owner_.marks().forEach((mark, k) => paintDesign(this.surface, box, data, mark, k, look));
+    this.owner_.numbered(this.direction, paintDesigns(this.surface, box, data, this.owner_.marks(), look));
     if (this.drag_) {
       const { x0, y0, x1, y1 } = this.drag_;
       const area = {
