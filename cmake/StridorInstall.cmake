@@ -58,11 +58,9 @@ endif()
 if(TARGET stridor-mpi)
     install(FILES "${PROJECT_SOURCE_DIR}/man/stridor-mpi.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT mpi)
 endif()
-# The program writes its page (apps/stridor). A wheel has page and completions as well.
+# The program writes its page (apps/stridor).
 function(stridor_install_page page folder name)
-    set(arguments FILES "${page}" DESTINATION "${folder}" RENAME "${name}")
-    install(${arguments})
-    install(${arguments} COMPONENT wheel OPTIONAL EXCLUDE_FROM_ALL)
+    install(FILES "${page}" DESTINATION "${folder}" RENAME "${name}")
 endfunction()
 
 set(completions "${PROJECT_SOURCE_DIR}/completions")

@@ -159,14 +159,10 @@ def package_of(folder, scratch):
 
 
 def programs_of(folder, scratch):
-    """The programs that were built, with their pages, for the folders of commands and data: bytes by name."""
+    """The programs that were built, for the folder of commands: bytes by name."""
     run("cmake", "--install", folder, "--component", "wheel", "--strip", "--prefix", scratch)
-    data = f"stridor-{project()[0]}.data"
-    files = {f"{data}/scripts/{file.name}": file.read_bytes() for file in Path(scratch).glob("bin/*")}
-    for file in Path(scratch).glob("share/**/*"):
-        if file.is_file():
-            files[f"{data}/data/{file.relative_to(scratch)}"] = file.read_bytes()
-    return files
+    scripts = f"stridor-{project()[0]}.data/scripts"
+    return {f"{scripts}/{file.name}": file.read_bytes() for file in Path(scratch).glob("bin/*")}
 
 
 def write_wheel(file, files):

@@ -167,6 +167,17 @@ bool has_none(const std::vector<Signal>& channels) {
     return false;
 }
 
+// what a table takes for marks of no value, whatever it would be as a sample (docs/formats/signals.md)
+bool refuses_marks(const Error& error, const std::vector<Signal>& channels) {
+    constexpr double least_mark = 1e15;
+    const auto is_mark = [](double value) { return std::abs(value) >= least_mark; };
+    const bool has_marks = std::any_of(channels.begin(), channels.end(), [&](const Signal& channel) {
+        return std::any_of(channel.samples.begin(), channel.samples.end(), is_mark);
+    });
+    const std::string& why = error.problem().why;
+    return has_marks && error.place() && why.find(" for no value, in ") != std::string::npos;
+}
+
 // a refusal names a sample that is none: "sample 29 is ...", or in a table its line
 bool names_its_place(const Error& error, const std::vector<Signal>& channels) {
     const std::string& what = error.problem().what;
@@ -272,7 +283,8 @@ std::string complaint_of_run(CounterRandom& random) {
             if (std::string text = complaint_of(channel); !text.empty()) return text;
         if (std::string text = complaint_of_hearing(found); !text.empty()) return text;
     } catch (const Error& error) {
-        return is_refused && names_its_place(error, channels) ? "" : error.what();
+        const bool is_right = (is_refused && names_its_place(error, channels)) || refuses_marks(error, channels);
+        return is_right ? "" : error.what();
     }
     return complaint_of_friction(channels);
 }

@@ -25,8 +25,8 @@ struct Confines {
 /// open so many files for reading; every other system call fails: no network, no program, no other process. Linux only
 /// (seccomp). What it crashes, hangs or answers is for the caller to judge.
 ///
-/// The copy has none of this process' threads. Its own destructors and exit handlers do not run. It ends with the thread
-/// that began it.
+/// The copy has none of this process' threads. Its own destructors and exit handlers do not run. It ends with the
+/// thread that began it.
 class ConfinedProcess {
 public:
     /// The confined end of the channel.

@@ -231,8 +231,8 @@ std::string pattern_text(const analysis::Evidence& evidence, const JudgedFigures
                        evidence.alternation.lag, often, figures.repetition.value);
 }
 
-// Does a contact that nearly always slips end that again and again? Not while an event dies away: its beats fill half of
-// the judged time at least.
+// Does a contact that nearly always slips end that again and again? Its beats fill half of the judged time then; what
+// dies away fills less.
 bool keeps_alternating(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
     constexpr double least_filled = 0.5;
     const auto intervals = static_cast<double>(evidence.alternation.intervals);

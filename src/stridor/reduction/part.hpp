@@ -57,8 +57,8 @@ Eigen::Index rows_of(const ElasticPart& part);
 /// negative for some motion (by the signs of its pivots), and a row with neither stiffness nor mass.
 void expect_sound(const ElasticPart& part, LinearSolver by = LinearSolver::eigen);
 
-/// Refuses a part without an entry of its stiffness above `least` [N/m]; squares of less than the usual one leave double
-/// precision. Throws `Error` (input).
+/// Refuses a part without an entry of its stiffness above `least` [N/m]; squares of less than the usual one leave
+/// double precision. Throws `Error` (input).
 void expect_stiff(const ElasticPart& part, double least = 1e-150);
 
 /// The same matrix without entries that are zero: of a mass two thirds, where an element's motions along x, y and z do
