@@ -45,6 +45,7 @@ struct ReportOptions {
 class PartDisplay {
 public:
     explicit PartDisplay(const std::string& part) : display_(part, console::TimeLeft::shown) { show(0.0); }
+    void clear() { display_.clear(); }
     void show(double share) {
         if (console::has_terminal()) display_.show(share);
     }
@@ -119,7 +120,8 @@ report::DesignResults results_of(const io::TomlSource& source, const parameters:
         asked.progress = [&](const advice::AdviceProgress& progress) { display.show(progress.share); };
         report::add_advice(results, asked, longest);
     }
-    for (const std::string* left_out : {&results.without_sound, &results.about_chart, &results.without_advice})
+    for (const std::string* left_out :
+         {&results.without_sound, &results.without_stability, &results.about_chart, &results.without_advice})
         if (!left_out->empty()) console::say_note(*left_out);
     return results;
 }
@@ -145,8 +147,10 @@ void make_report(const ReportOptions& options) {
     results.part = document_text(source, "document.part", options.part);
     results.command = command_of(options, output);
     const std::string page = report::html(report::design_report(results));
-    const PartDisplay display("pages:");
-    console::write_output(output, is_pdf ? report::printed_pdf(page) : page);
+    PartDisplay display("pages:");
+    const std::string bytes = is_pdf ? report::printed_pdf(page) : page;
+    display.clear();
+    console::write_output(output, bytes);
     if (output != "-") console::print(output + "\n");
 }
 

@@ -1,5 +1,6 @@
 #include "stridor/advice/advice.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 
 #include <algorithm>
@@ -80,14 +81,8 @@ private:
     double shown_ = 0.0;
 };
 
-void find_changes(Advice& advice, DesignRunner& runner) {
-    advice.changes = single_changes(advice.space, advice.margins, Sticking::refused, runner);
-    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
-    if (advice.changes.empty() && joint.empty())
-        advice.changes = single_changes(advice.space, advice.margins, Sticking::accepted, runner);
-    for (const DesignChange& change : advice.changes)
-        advice.ranking.push_back(change.set.front().parameter);
-    std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
+// smallest first, each once, and which to recommend
+void put_in_order(Advice& advice) {
     std::stable_sort(advice.changes.begin(), advice.changes.end(),
                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
     // a pair may have turned out to be one parameter, known already
@@ -99,6 +94,16 @@ void find_changes(Advice& advice, DesignRunner& runner) {
     advice.changes = std::move(distinct);
     if (const DesignChange* best = recommended(advice.changes))
         advice.recommended = static_cast<std::size_t>(best - advice.changes.data());
+}
+
+void find_changes(Advice& advice, DesignRunner& runner) {
+    advice.changes = single_changes(advice.space, advice.margins, Sticking::refused, runner);
+    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
+    if (advice.changes.empty() && joint.empty())
+        advice.changes = single_changes(advice.space, advice.margins, Sticking::accepted, runner);
+    for (const DesignChange& change : advice.changes)
+        advice.ranking.push_back(change.set.front().parameter);
+    std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
 }
 
 // the chance of noise: within what was asked for, or, of a quiet design, within what parts of its kind usually have
@@ -133,28 +138,47 @@ std::string headline(const DesignStanding& design) {
     return headline(design.space, design.present, design.near);
 }
 
+namespace {
+
+// stage by stage; `advice` has what is known at any time
+void work_out(Advice& advice, AdviceStage& stage, const AdviceOptions& options, DesignRunner& runner) {
+    Watch watch(options, advice.space, runner);
+    const auto begin = [&](AdviceStage next) { watch.begin(stage = next); };
+    begin(AdviceStage::margins);
+    advice.present = runner.judge(std::span(&advice.space.origin, 1)).front();
+    const bool was_quiet = is_quiet(advice.present);
+    if (was_quiet) advice.near = neighbourhood(advice.space, runner);
+    MarginSearch found = find_margins(advice.space, advice.present, runner);
+    advice.margins = std::move(found.margins);
+    if (found.stopped) throw Error(*found.stopped);
+    if (was_quiet) watch.skip(AdviceStage::changes);
+    begin(AdviceStage::nearest);
+    advice.nearest =
+        nearest_design(advice.space, advice.margins, was_quiet ? Wanted::not_quiet : Wanted::quiet, runner);
+    begin(AdviceStage::changes);
+    if (was_quiet)
+        advice.ranking = ranked_by_change(advice.space, advice.margins);
+    else
+        find_changes(advice, runner);
+    begin(AdviceStage::chance);
+    advice.chance = chance_of(advice, options, runner);
+}
+
+}  // namespace
+
 Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     Advice advice;
     advice.space = design_space(c, options.over, options.runs);
     tolerances(c, options.tolerances);  // what is wrong with them is said before the work
     DesignRunner runner(advice.space, options.crew, options.stop);
-    Watch watch(options, advice.space, runner);
-    watch.begin(AdviceStage::margins);
-    advice.present = runner.judge(std::span(&advice.space.origin, 1)).front();
-    advice.margins = margins(advice.space, advice.present, runner);
-    const bool was_quiet = is_quiet(advice.present);
-    if (was_quiet) advice.near = neighbourhood(advice.space, runner);
-    if (was_quiet) watch.skip(AdviceStage::changes);
-    watch.begin(AdviceStage::nearest);
-    advice.nearest =
-        nearest_design(advice.space, advice.margins, was_quiet ? Wanted::not_quiet : Wanted::quiet, runner);
-    watch.begin(AdviceStage::changes);
-    if (was_quiet)
-        advice.ranking = ranked_by_change(advice.space, advice.margins);
-    else
-        find_changes(advice, runner);
-    watch.begin(AdviceStage::chance);
-    advice.chance = chance_of(advice, options, runner);
+    AdviceStage stage = AdviceStage::margins;
+    try {
+        work_out(advice, stage, options, runner);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::interrupted || options.when_stopped == WhenStopped::refused) throw;
+        advice.stopped_in = stage;
+    }
+    put_in_order(advice);
     advice.runs = runner.runs();
     return advice;
 }

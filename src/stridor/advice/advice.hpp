@@ -31,14 +31,21 @@ struct AdviceProgress {
         0.0;  // [1] of the work done, never falling: an estimate, for each stage asks what the one before found
 };
 
+/// What becomes of advice that is stopped?
+enum class WhenStopped {
+    refused,  // an `Error` (interrupted)
+    kept,     // what is known by then, with the stage in which it ended
+};
+
 /// What advice is asked for, and how it is computed.
 struct AdviceOptions {
     std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
     std::vector<AskedTolerance> tolerances{};  // empty: of a quiet design the default ones (`default_tolerances`)
     AskedRuns runs{};                          // by which motions a design is judged
     ChanceOptions chance{};
-    crew::CrewMaker crew = crew::thread_crews();            // who computes
-    std::stop_token stop{};                                 // asks for an early end
+    crew::CrewMaker crew = crew::thread_crews();  // who computes
+    std::stop_token stop{};                       // asks for an early end
+    WhenStopped when_stopped = WhenStopped::refused;
     std::function<void(const AdviceProgress&)> progress{};  // called from the caller's thread
 };
 
@@ -56,6 +63,7 @@ struct Advice {
     std::optional<std::size_t> recommended{};  // which of them
     std::optional<Chance> chance{};            // of noise within tolerances
     std::size_t runs = 0;                      // [1] simulated motions
+    std::optional<AdviceStage> stopped_in{};   // `WhenStopped::kept`: what of this stage and those behind it is missing
 };
 
 /// What a design does and what lies close to it.
@@ -77,7 +85,7 @@ std::string headline(const Advice& advice);
 std::string headline(const DesignStanding& design);
 
 /// Advice on a case: the same for every crew. Throws `Error` (input) for what is wrong with case and
-/// options, and (interrupted) when stopped.
+/// options, and (interrupted) when stopped, unless what is known is kept.
 Advice advise(const parameters::Case& c, const AdviceOptions& options = {});
 
 /// The change as options of the command line: "--set contact.preload=12 --set ...".

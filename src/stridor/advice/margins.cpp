@@ -131,49 +131,85 @@ void look(const DesignSpace& space, std::vector<Search>& searches, const std::ve
 void locate(const DesignSpace& space, const std::vector<Search>& searches, DesignRunner& runner) {
     std::vector<Bracket> brackets;
     std::vector<DesignCondition> conditions;
+    const auto keep = [&] {
+        for (std::size_t k = 0; k < searches.size(); ++k) {
+            const std::size_t parameter = searches[k].parameter;
+            const DesignParameter& range = space.parameters[parameter];
+            const double share = brackets[k].beyond[parameter];
+            *searches[k].result = VerdictChange{share, value_at(range, share),
+                                                value_at(range, brackets[k].before[parameter]), brackets[k].verdict};
+        }
+    };
     for (const Search& search : searches) {
         brackets.push_back(search.bracket);
         conditions.push_back(search.condition);
     }
+    // as the scan has them, in case that the search is stopped
+    keep();
     brackets = bisect(std::move(brackets), conditions, scan_resolution, runner);
-    for (std::size_t k = 0; k < searches.size(); ++k) {
-        const std::size_t parameter = searches[k].parameter;
-        const DesignParameter& range = space.parameters[parameter];
-        const double share = brackets[k].beyond[parameter];
-        *searches[k].result = VerdictChange{share, value_at(range, share),
-                                            value_at(range, brackets[k].before[parameter]), brackets[k].verdict};
-    }
+    keep();
 }
 
-std::vector<ParameterMargin> scans(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner) {
-    std::vector<ParameterMargin> margins(space.parameters.size());
-    std::vector<Shares> designs;
-    std::vector<Track> tracks;
-    for (std::size_t k = 0; k < margins.size(); ++k) {
-        tracks.push_back(track(space, k));
+// a design of a scan that is to be judged
+struct ToJudge {
+    double far = 0.0;  // [1] from the present share
+    std::size_t parameter = 0;
+    double share = 0.0;
+};
+
+// of all tracks, the nearest first
+std::vector<ToJudge> nearest_first(const DesignSpace& space, const std::vector<Track>& tracks) {
+    std::vector<ToJudge> order;
+    for (std::size_t k = 0; k < tracks.size(); ++k)
         for (const double share : tracks[k].shares)
-            designs.push_back(moved(space, k, share));
-    }
-    const std::vector<DesignVerdict> verdicts = runner.judge(designs);
-    std::size_t next = 0;
+            order.push_back({std::abs(share - space.origin[k]), k, share});
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.far < b.far; });
+    return order;
+}
+
+// what is known before any design is judged
+std::vector<ParameterMargin> empty_margins(const DesignSpace& space, const DesignVerdict& present,
+                                           const std::vector<Track>& tracks) {
+    std::vector<ParameterMargin> margins(tracks.size());
     for (std::size_t k = 0; k < margins.size(); ++k) {
         const DesignParameter& parameter = space.parameters[k];
         ParameterMargin& margin = margins[k];
         margin.parameter = k;
         margin.value = parameters::get_quantity(space.base, parameter.key);
-        margin.below.last = value_at(parameter, tracks[k].below.share);
-        margin.below.end = tracks[k].below.end;
-        margin.below.reason = tracks[k].below.reason;
-        margin.above.last = value_at(parameter, tracks[k].above.share);
-        margin.above.end = tracks[k].above.end;
-        margin.above.reason = tracks[k].above.reason;
-        for (const double share : tracks[k].shares)
-            margin.scan.push_back({share, value_at(parameter, share), verdicts[next++]});
-        const auto place = std::find_if(margin.scan.begin(), margin.scan.end(),
-                                        [&](const ScanPoint& point) { return point.share > space.origin[k]; });
-        margin.scan.insert(place, {space.origin[k], margin.value, present});
+        margin.below = {
+            {}, {}, value_at(parameter, tracks[k].below.share), tracks[k].below.end, tracks[k].below.reason};
+        margin.above = {
+            {}, {}, value_at(parameter, tracks[k].above.share), tracks[k].above.end, tracks[k].above.reason};
+        margin.scan = {{space.origin[k], margin.value, present}};
     }
     return margins;
+}
+
+// where nobody looked any further
+void end_at_last(MarginSearch& search) {
+    for (ParameterMargin& margin : search.margins) {
+        margin.below.last = margin.scan.front().value;
+        margin.above.last = margin.scan.back().value;
+    }
+}
+
+// in growing parts, so that a search that is stopped early has something, and a long one keeps its crew busy
+void scan(const DesignSpace& space, const std::vector<ToJudge>& order, MarginSearch& search, DesignRunner& runner) {
+    constexpr std::size_t first_part = 16;  // [1] designs
+    for (std::size_t begin = 0, size = first_part; begin < order.size(); begin += size, size *= 2) {
+        const std::size_t end = std::min(order.size(), begin + size);
+        std::vector<Shares> designs;
+        for (std::size_t k = begin; k < end; ++k)
+            designs.push_back(moved(space, order[k].parameter, order[k].share));
+        std::vector<DesignVerdict> verdicts = runner.judge(designs);
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto& [far, parameter, share] = order[k];
+            std::vector<ScanPoint>& points = search.margins[parameter].scan;
+            const auto place = std::find_if(points.begin(), points.end(),
+                                            [at = share](const ScanPoint& point) { return point.share > at; });
+            points.insert(place, {share, value_at(space.parameters[parameter], share), std::move(verdicts[k - begin])});
+        }
+    }
 }
 
 const VerdictChange* nearer(double origin, const std::optional<VerdictChange>& below,
@@ -222,19 +258,32 @@ std::vector<Bracket> bisect(std::vector<Bracket> brackets, const std::vector<Des
     }
 }
 
-std::vector<ParameterMargin> margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner) {
-    std::vector<ParameterMargin> margins = scans(space, present, runner);
+MarginSearch find_margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner) {
+    std::vector<Track> tracks;
+    for (std::size_t k = 0; k < space.parameters.size(); ++k)
+        tracks.push_back(track(space, k));
+    MarginSearch search{empty_margins(space, present, tracks), {}};
+    const auto until_stopped = [&](const std::function<void()>& part) {
+        try {
+            part();
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::interrupted) throw;
+            search.stopped = error;
+        }
+    };
+    until_stopped([&] { scan(space, nearest_first(space, tracks), search, runner); });
+    if (search.stopped) end_at_last(search);
     const DesignCondition is_other = [&](const DesignVerdict& verdict) { return !are_alike(verdict, present); };
     std::vector<Search> searches;
-    for (ParameterMargin& margin : margins)
+    for (ParameterMargin& margin : search.margins)
         for (const Side side : {Side::below, Side::above}) {
             const auto points = outwards(margin, space.origin[margin.parameter], side);
             ScanSide& found = side == Side::below ? margin.below : margin.above;
             look(space, searches, points, is_other, {margin.parameter, &found.change});
             if (!is_quiet(present)) look(space, searches, points, slips_quietly, {margin.parameter, &found.quiet});
         }
-    locate(space, searches, runner);
-    return margins;
+    until_stopped([&] { locate(space, searches, runner); });
+    return search;
 }
 
 const VerdictChange* nearest_change(const DesignSpace& space, const ParameterMargin& margin) {

@@ -2,6 +2,7 @@
 
 #include "stridor/advice/design_runner.hpp"
 #include "stridor/advice/design_space.hpp"
+#include "stridor/base/error.hpp"
 
 #include <array>
 #include <cstddef>
@@ -67,8 +68,16 @@ struct ParameterMargin {
     std::vector<ScanPoint> scan{};  // rising, the present value among them
 };
 
-/// The margins of all parameters, in their order; `present` is the verdict at the origin.
-std::vector<ParameterMargin> margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner);
+/// The margins of all parameters, in their order, as far as they were found.
+struct MarginSearch {
+    std::vector<ParameterMargin> margins{};
+    std::optional<Error> stopped{};  // why the search ended early; nothing: it is whole
+};
+
+/// Looks for the margins of all parameters; `present` is the verdict at the origin. Designs are judged nearest first,
+/// so that a search that was stopped still tells what lies near: `last` is then where it ended, and a change lies
+/// between two designs of the scan instead of within `scan_resolution`.
+MarginSearch find_margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner);
 
 /// The nearer of a parameter's two changes, by share; nothing if there is none.
 const VerdictChange* nearest_change(const DesignSpace& space, const ParameterMargin& margin);

@@ -335,6 +335,8 @@ std::vector<Section> picture_sections(const DesignResults& results) {
         if (is_kept) sections.push_back(motion_section(results, motion));
     }
     if (results.stability && !results.stability->key.empty()) sections.push_back(stability_section(*results.stability));
+    if (!results.without_stability.empty())
+        sections.push_back({"Stability of steady sliding", {results.without_stability}});
     return sections;
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -171,7 +172,11 @@ DesignResults basic_results(const Case& design, const advice::AdviceOptions& opt
     for (DesignMotion& motion : results.motions)
         motion.motion = motion_of(motion.of, options.stop);
     results.verdicts = verdicts_of(results);
-    results.stability = analysis::scan_stability(design, telling_range(design));
+    try {
+        results.stability = analysis::scan_stability(design, telling_range(design));
+    } catch (const Error& error) {
+        results.without_stability = reason_of(error);
+    }
     return results;
 }
 
@@ -196,9 +201,16 @@ void add_sounds(DesignResults& results, const std::stop_token& asked, PartTime l
             results.sounds = std::move(sounds);
     } catch (const Error& error) {
         // steps too long to be heard are no reason to go without the rest
-        if (error.kind() != ErrorKind::input) throw;
-        results.without_sound = error.problem().what + " (" + error.problem().why + ").";
+        results.without_sound = reason_of(error);
     }
+}
+
+std::string reason_of(const Error& error) {
+    if (error.kind() != ErrorKind::input && error.kind() != ErrorKind::numerical) throw error;
+    const auto& problem = error.problem();
+    std::string words = problem.what + (problem.why.empty() ? "" : " (" + problem.why + ")") + ".";
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return problem.suggestion.empty() ? words : words + " " + problem.suggestion;
 }
 
 std::string headline(const DesignResults& results) {

@@ -2,6 +2,7 @@
 
 #include "stridor/advice/advice.hpp"
 #include "stridor/analysis/stability_scan.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/classification/sound_verdict.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/integration/motion.hpp"
@@ -10,12 +11,15 @@
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/run.hpp"
 
+#include <chrono>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace stridor::report {
+
+using PartTime = std::chrono::duration<double>;  // [s]
 
 /// What one direction sounds like, of the motion that stands for the sound of the case (`hearing::heard_motion`).
 struct DesignSound {
@@ -48,15 +52,17 @@ struct DesignResults {
     std::optional<sweep::SweepResult> chart{};
     std::string about_chart{};  // why it is coarse, or is not there
     std::optional<analysis::StabilityScan> stability{};
+    std::string without_stability{};  // why there is none
     std::optional<advice::Advice> advice{};
-    std::string without_advice{};  // why there is none, if it was wanted
+    std::string without_advice{};           // why there is none or not all of it, if it was wanted
+    std::optional<PartTime> advice_time{};  // in which it did not end
 };
 
 /// The longest sound of a direction in a report [s]: 0.5 MB in the file.
 inline constexpr double longest_sound = 4.0;
 
-/// A design with its verdicts, motions and stability: what no report goes without. Throws `Error` where no run has a
-/// result (input, numerical) or one was stopped (interrupted).
+/// A design with its verdicts and motions, which no report goes without, and its stability where that is known. Throws
+/// `Error` where no run has a result (input, numerical) or one was stopped (interrupted).
 DesignResults basic_results(const parameters::Case& design, const advice::AdviceOptions& options);
 
 /// Returns the day of today, or of SOURCE_DATE_EPOCH where that is set: "2026-11-25". Throws `Error` (input) where that
@@ -65,6 +71,10 @@ std::string report_date();
 
 /// What a report says first (`advice::headline`): with what lies close to the design, where advice looked at it.
 std::string headline(const DesignResults& results);
+
+/// Says why a part is left out, as a sentence. Throws the error again where it is no reason to go on without (anything
+/// but input and numerical).
+std::string reason_of(const Error& error);
 
 /// A chart in memory. Throws `Error` (interrupted) where it was stopped.
 sweep::SweepResult chart_in_memory(const sweep::Study& study, const sweep::RunOptions& options);

@@ -46,12 +46,20 @@ std::string steps_words(const advice::DesignSpace& space, const advice::DesignCh
     return base::listed(words);
 }
 
+// "How far it is from quiet was not found within 60 s"
+std::string unknown_margin(bool was_quiet, PartTime time) {
+    return fmt::format("How far it is from {} was not found within {:g}\u00A0s: `--longest` gives it more",
+                       was_quiet ? "noise" : "quiet", time.count());
+}
+
 // the change of one quantity alone, the nearest that was looked at, with which a phase is quiet no more, or is quiet
-std::string margin_words(const Advice& advice, std::size_t phase) {
+std::string margin_words(const Advice& advice, std::size_t phase, const std::optional<PartTime>& time) {
     const bool was_quiet = advice::is_quiet_phase(advice.present, phase);
+    const bool is_cut = time && advice.stopped_in == advice::AdviceStage::margins;
     double nearest = std::numeric_limits<double>::infinity();
-    std::string words =
-        fmt::format("No change of one quantity alone that was looked at makes it {}", was_quiet ? "noisy" : "quiet");
+    std::string words = is_cut ? unknown_margin(was_quiet, *time)
+                               : fmt::format("No change of one quantity alone that was looked at makes it {}",
+                                             was_quiet ? "noisy" : "quiet");
     for (const advice::ParameterMargin& margin : advice.margins) {
         const auto look = [&](double share, double value, const advice::DesignVerdict& verdict) {
             const double distance = std::abs(share - advice.space.origin[margin.parameter]);
@@ -67,7 +75,13 @@ std::string margin_words(const Advice& advice, std::size_t phase) {
             for (const auto* change : {&side->change, &side->quiet})
                 if (*change) look((*change)->share, (*change)->value, (*change)->beyond);
     }
-    return words + ".";
+    return words + (is_cut && std::isfinite(nearest) ? ", at most." : ".");
+}
+
+// of a design on which advice has nothing
+std::string missing_margin(const DesignResults& results, std::size_t phase) {
+    if (!results.advice_time) return "";
+    return unknown_margin(advice::is_quiet_phase(results.standing.present, phase), *results.advice_time) + ".";
 }
 
 std::vector<Badge> badges(const DesignResults& results) {
@@ -83,7 +97,8 @@ std::vector<Badge> badges(const DesignResults& results) {
         const std::string word(classification::word(verdict));
         badges.push_back({phase_name(verdict), word == "none" ? "quiet" : word, drawing::hex(fill.colour),
                           drawing::hex(drawing::text_colour_on(fill.colour)),
-                          tone + (results.advice ? margin_words(*results.advice, k) : "")});
+                          tone + (results.advice ? margin_words(*results.advice, k, results.advice_time)
+                                                 : missing_margin(results, k))});
     }
     return badges;
 }
@@ -135,6 +150,33 @@ Section quiet_section(const Advice& advice) {
     return change;
 }
 
+// what was seen to be quiet with one quantity alone, nearest first; nobody verified it
+std::vector<std::vector<std::string>> seen_quiet(const Advice& advice) {
+    std::vector<std::pair<double, std::string>> seen;
+    for (const std::size_t k : advice.space.free) {
+        const advice::VerdictChange* quiet = advice::nearest_quiet(advice.space, advice.margins[k]);
+        if (quiet == nullptr) continue;
+        seen.emplace_back(std::abs(quiet->share - advice.space.origin[k]),
+                          step_words(advice.space.parameters[k].key, advice.margins[k].value, quiet->value));
+    }
+    std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [far, words] : seen)
+        if (rows.size() < most_rows) rows.push_back({words});
+    return rows;
+}
+
+// of a search that did not end, and verified nothing by then
+Section unverified_section(const DesignResults& results) {
+    Section change{"What to change", {results.without_advice}};
+    change.table.rows = seen_quiet(*results.advice);
+    if (change.table.rows.empty()) return change;
+    change.table.columns = {"seen to be quiet with this alone, not verified"};
+    change.paragraphs.emplace_back(
+        "The nearest that was seen by then: each slips quietly both ways in one look, without its surroundings.");
+    return change;
+}
+
 Section noisy_section(const Advice& advice) {
     Section change{"What to change"};
     if (advice.changes.empty()) {
@@ -147,9 +189,11 @@ Section noisy_section(const Advice& advice) {
     for (std::size_t k = 0; k < advice.changes.size() && change.table.rows.size() < most_rows; ++k)
         if (k != best) change.table.rows.push_back({"or", steps_words(advice.space, advice.changes[k])});
     change.paragraphs.push_back(fmt::format(
-        "All were run and are quiet, the advised one by {} runs: {}, with 1 % more and less of each value.{}",
+        "All were run and are quiet, the advised one by {} runs: {}, with 1 % more and less of each value.{}{}",
         advice.changes[best].runs, judged_words(advice.space),
-        change.table.rows.size() < advice.changes.size() ? " The smallest are shown; all stand further back." : ""));
+        change.table.rows.size() < advice.changes.size() ? " The smallest are shown; all stand further back." : "",
+        advice.stopped_in == advice::AdviceStage::changes ? " Changes of several values were not found in this time."
+                                                          : ""));
     return change;
 }
 
@@ -168,8 +212,16 @@ std::string open_words(const advice::Chance& chance) {
     return open > 0.0 ? fmt::format(", and {:.2g} % undecided, locking or without a result", open) : "";
 }
 
-Section change_section(const Advice& advice) {
-    Section section = advice::is_quiet(advice.present) ? quiet_section(advice) : noisy_section(advice);
+Section change_section(const DesignResults& results) {
+    const Advice& advice = *results.advice;
+    const bool is_quiet = advice::is_quiet(advice.present);
+    if (!is_quiet && advice.stopped_in && advice.changes.empty()) return unverified_section(results);
+    Section section = is_quiet ? quiet_section(advice) : noisy_section(advice);
+    if (is_quiet && advice.stopped_in)
+        section.paragraphs.push_back(
+            fmt::format("The chance of noise was not found within {:g} s; `stridor advise` "
+                        "takes its time.",
+                        results.advice_time.value_or(PartTime(0.0)).count()));
     if (advice.chance)
         section.paragraphs.push_back(fmt::format(
             "Chance of noise: {:.2g} %{} ({:.2g} to {:.2g} %, 95 % confidence, {} designs), where parts lie anywhere "
@@ -225,7 +277,7 @@ Report first_page(const DesignResults& results) {
     else if (!results.about_chart.empty())
         page.first.push_back({"Where it is quiet", {results.about_chart}});
     if (results.advice)
-        page.first.push_back(change_section(*results.advice));
+        page.first.push_back(change_section(results));
     else if (!results.without_advice.empty())
         page.first.push_back({"What to change", {results.without_advice}});
     page.foot = foot(c);

@@ -50,7 +50,10 @@ bool ends_within(PartTime longest, const std::stop_token& asked,
     return true;
 }
 
-void add_chart(DesignResults& results, const sweep::Study& study, const sweep::RunOptions& options, PartTime longest) {
+namespace {
+
+void chart_within(DesignResults& results, const sweep::Study& study, const sweep::RunOptions& options,
+                  PartTime longest) {
     constexpr int least = 4;  // [1] points of an axis; fewer are no chart
     const auto begin = std::chrono::steady_clock::now();
     for (const int part : {4, 2, 1}) {
@@ -76,17 +79,38 @@ void add_chart(DesignResults& results, const sweep::Study& study, const sweep::R
                     results.chart ? "The chart is coarse, to end" : "No chart, however coarse, ended", longest.count());
 }
 
+}  // namespace
+
+void add_chart(DesignResults& results, const sweep::Study& study, const sweep::RunOptions& options, PartTime longest) {
+    try {
+        chart_within(results, study, options, longest);
+    } catch (const Error& error) {
+        results.about_chart = reason_of(error);
+    }
+}
+
 void add_advice(DesignResults& results, advice::AdviceOptions options, PartTime longest) {
-    const bool is_done = ends_within(longest, options.stop, [&](const std::stop_token& stop) {
-        advice::AdviceOptions timed = options;
-        timed.stop = stop;
-        results.advice = advice::advise(results.design, timed);
-    });
-    if (is_done) return;
-    results.without_advice = fmt::format(
-        "The search for a quieting change did not end within {:g} s and was left out; `stridor advise` takes "
-        "its time.",
-        longest.count());
+    try {
+        ends_within(longest, options.stop, [&](const std::stop_token& stop) {
+            advice::AdviceOptions timed = options;
+            timed.stop = stop;
+            timed.when_stopped = advice::WhenStopped::kept;
+            results.advice = advice::advise(results.design, timed);
+        });
+    } catch (const Error& error) {
+        results.without_advice = reason_of(error);
+        return;
+    }
+    if (!results.advice->stopped_in) return;
+    if (options.stop.stop_requested())
+        throw Error(ErrorKind::interrupted, {"stopped while advising", "a report keeps nothing", "Run it again."});
+    results.without_advice =
+        fmt::format("The search for a quieting change did not end within {:g} s; `stridor advise` takes its time.",
+                    longest.count());
+    results.advice_time = longest;
+    const bool has_looked = std::any_of(results.advice->margins.begin(), results.advice->margins.end(),
+                                        [](const advice::ParameterMargin& margin) { return margin.scan.size() > 1; });
+    if (!has_looked) results.advice.reset();
 }
 
 }  // namespace stridor::report

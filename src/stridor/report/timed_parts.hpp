@@ -4,15 +4,12 @@
 #include "stridor/report/design_results.hpp"
 #include "stridor/sweep/run.hpp"
 
-#include <chrono>
 #include <functional>
 #include <stop_token>
 
 /// The parts of a report that may take long. Each has a longest time; what did not end in it is left out, and the
 /// report says so.
 namespace stridor::report {
-
-using PartTime = std::chrono::duration<double>;  // [s]
 
 /// The usual longest time of a part.
 inline constexpr PartTime longest_part{60.0};
@@ -29,7 +26,7 @@ void add_sounds(DesignResults& results, const std::stop_token& stop, PartTime lo
 /// allows.
 void add_chart(DesignResults& results, const sweep::Study& study, const sweep::RunOptions& options, PartTime longest);
 
-/// Adds advice.
+/// Adds advice, or what of it is known when the time is up.
 void add_advice(DesignResults& results, advice::AdviceOptions options, PartTime longest);
 
 }  // namespace stridor::report
