@@ -33,6 +33,13 @@ export function bandsHeight({ contacts }: Motion, height: number): number {
   return legendHeight + contacts.length * rowOf(contacts.length, height) + 4;
 }
 
+/** The least height of a canvas that has so much left below its bands. */
+export function heightAround({ contacts }: Motion, below: number): number {
+  if (contacts.length <= mostLaned) return bandsHeight({ contacts } as Motion, 0) + below;
+  const above = legendHeight + 4 + below;
+  return Math.ceil(Math.min(above + contacts.length * rowHeight, above / (1 - mostOfHeight)));
+}
+
 /** The contact whose band is at a height of the canvas; none where there is one contact, or no band. */
 export function contactAt({ contacts }: Motion, height: number, y: number): number | null {
   if (contacts.length < 2) return null;

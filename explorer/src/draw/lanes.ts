@@ -1,7 +1,7 @@
 /** Time histories below each other on one canvas, with the contacts' states above them. Painting only. */
 import type { Motion } from "../data/frames.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
-import { bandsHeight, marginLeft, marginRight, paintBands } from "./bands.ts";
+import { bandsHeight, heightAround, marginLeft, marginRight, paintBands } from "./bands.ts";
 import type { Palette } from "./colours.ts";
 import { toldApart, unitText, writtenIn } from "./format.ts";
 import type { LaneSpec } from "./lane_specs.ts";
@@ -9,6 +9,7 @@ import { ticks, ticksOfScale } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
 const axisHeight = 20;
+const titleHeight = 17; // of a lane, above its curves
 
 export interface LanesView {
   span: readonly [number, number];
@@ -37,11 +38,16 @@ export class Pyramids {
   }
 }
 
-const leastLane = 30; // [px] of height, below which a lane shows nothing
+const leastLane = 64; // [px] of height, below which a lane shows nothing
 
 /** How many lanes a canvas has room for. */
 export function mostLanes(motion: Motion, height: number): number {
   return Math.floor((height - bandsHeight(motion, height) - axisHeight) / leastLane);
+}
+
+/** The least height of a canvas with so many lanes; where there is less, it scrolls. */
+export function leastHeight(motion: Motion, lanes: number): number {
+  return heightAround(motion, axisHeight + leastLane * lanes);
 }
 
 export function timeAt(surface: { width: number }, span: readonly [number, number], x: number): number {
@@ -118,6 +124,7 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   const [low, high] = limits(
     curves.map(({ parts }) => parts),
     lane.spiky,
+    titleHeight / box.height,
   );
   const y = (value: number): number => box.top + (box.height * (high - value)) / (high - low);
 
@@ -193,8 +200,8 @@ function strokeSamples(
     pen.lineTo(marginLeft + (inner * (k - first)) / (end - first), y(samples[k] as number));
 }
 
-/** Ends of a lane's scale: what is seen, with a little room; without rare peaks where these mean nothing. */
-function limits(parts: Float32Array[], spiky: boolean): [number, number] {
+/** Ends of a lane's scale: what is seen, with a little room and a part for its title; without rare peaks where these mean nothing. */
+function limits(parts: Float32Array[], spiky: boolean, title: number): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const part of parts) {
     if (spiky) {
@@ -210,7 +217,8 @@ function limits(parts: Float32Array[], spiky: boolean): [number, number] {
   }
   if (!(low <= high) || !Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
   const room = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1e-12;
-  return [low - room, high + 4 * room]; // above is the title's place
+  const above = Math.min(title, 0.5);
+  return [low - room, high + ((high - low + room) * above) / (1 - above)];
 }
 
 function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: LaneBox, unit: string): void {

@@ -75,6 +75,7 @@ export class AxisControls {
         : [[axis.parameter, all + title(axis.parameter)] as const];
       setOptions(row.parameter, [...options, ...extra]);
       row.parameter.value = axis.parameter;
+      row.parameter.title = row.parameter.selectedOptions[0]?.text ?? ""; // it may be cut
       row.scale.value = axis.scale;
       const unit = this.unit_(axis);
       for (const end of ["from", "to"] as const)
@@ -82,6 +83,7 @@ export class AxisControls {
           row[end].value = row[end].defaultValue = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
     }
     this.figure_.value = state.figure;
+    this.figure_.title = words(state.figure);
   }
 
   private unit_({ parameter }: Axis): string {

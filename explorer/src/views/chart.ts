@@ -73,6 +73,7 @@ export class Chart implements PanelOwner {
   ) {
     this.resolved_ = (start_.presets.find(({ name }) => name === store_.state.design.preset) ?? start_.presets[0])
       ?.case as Case;
+    this.key_.style.visibility = "hidden";
     this.controls_ = new AxisControls(store_, start_, () => this.unzoom(), complain);
     this.panels_ = (["going", "coming"] as const).map((direction) => new ChartPanel(direction, this));
     this.readout_ = new ChartReadout(

@@ -5,7 +5,7 @@ import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
 import { contactAt, marginLeft, marginRight } from "../draw/bands.ts";
 import { contactColumn, isLaned, isOnPlate, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
-import { mostLanes, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
+import { leastHeight, mostLanes, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
 import { paintPortrait } from "../draw/portrait.ts";
 import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
@@ -17,6 +17,7 @@ import type { Context, ViewPart } from "./views.ts";
 
 export class Response implements ViewPart {
   readonly element: HTMLElement;
+  private readonly stage_: HTMLElement; // of the lanes
   private readonly lanes_: Surface;
   private readonly portrait_: Surface;
   private readonly readout_ = h("p", { class: "readout", id: "response-readout" });
@@ -55,6 +56,7 @@ export class Response implements ViewPart {
       box.checked = this.wanted_.has(name);
       return h("label", { class: "check" }, box, title);
     });
+    this.stage_ = h("div", { class: "stage history" }, canvas);
     this.element = h(
       "div",
       { class: "response" },
@@ -65,7 +67,7 @@ export class Response implements ViewPart {
         button("Whole", () => this.go_(null), { class: "quiet", id: "whole", title: "Show all of the motion (Home)" }),
         this.readout_,
       ),
-      h("div", { class: "stage history" }, canvas),
+      this.stage_,
       h("div", { class: "stage phase" }, phase),
     );
     clock_.listen(() => this.looked_ && this.follow_());
@@ -242,9 +244,11 @@ export class Response implements ViewPart {
   private paint_(s: Surface): void {
     if (!this.trees_) return;
     const { motion } = this.trees_;
+    const lanes = lanesOf(motion, this.wanted_, this.chosen_.contact, mostLanes(motion, s.height));
+    this.stage_.style.minHeight = `${leastHeight(motion, lanes.length)}px`;
     paintLanes(s, this.trees_, {
       span: this.shown_,
-      lanes: lanesOf(motion, this.wanted_, this.chosen_.contact, mostLanes(motion, s.height)),
+      lanes,
       chosen: this.chosen_.contact,
       playhead: this.clock_.time,
       hover: this.hover_,

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { motionOf } from "../../../src/data/frames.ts";
 import { columnOf, laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
 import { bandsHeight, contactAt, sharesOf } from "../../../src/draw/bands.ts";
-import { mostLanes, paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
+import { leastHeight, mostLanes, paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
 
 const perContact = ["normal_force", "friction_force", "gap"];
 
@@ -195,6 +195,14 @@ test("where there is no room for the lanes of all contacts those of the chosen o
   const motion = answer(["upper", "middle", "lower"]);
   const titles = (height, chosen) =>
     lanesOf(motion, new Set(["velocity", "force"]), chosen, mostLanes(motion, height)).map(({ title }) => title);
-  assert.equal(titles(400, 0).length, 6);
+  assert.equal(titles(560, 0).length, 6);
   assert.deepEqual(titles(260, 1), ["middle: velocity", "middle: force"]);
+});
+
+test("a canvas of the least height has room for its lanes", () => {
+  for (const count of [1, 2, 3, 4, 12, 300])
+    for (const lanes of [1, 2, 4]) {
+      const motion = ofStructure(count);
+      assert.equal(mostLanes(motion, leastHeight(motion, lanes)), lanes, `${count} contacts, ${lanes} lanes`);
+    }
 });
