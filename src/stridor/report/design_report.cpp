@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -119,8 +120,8 @@ Section contacts_section(const DesignResults& results) {
         }
         for (const classification::InterfaceVerdict& interface : all.interfaces)
             section.paragraphs.push_back(fmt::format(
-                "Of {} contacts as a whole {} leads, with most friction power of the noisy ones.{}",
-                interface.figures.contacts.size(), parameters::contact_name(c, interface.whole.evidence.contact),
+                "Of {} contacts as a whole contact {} leads, {}, with most friction power of the noisy ones.{}",
+                interface.figures.contacts.size(), parameters::contact_name(c, interface.whole.evidence.contact), name,
                 interface.differs ? " The contacts differ." : ""));
     }
     return section;
@@ -157,7 +158,10 @@ void put_ear_beside(Section& section, const DesignResults& results) {
 
 Section sound_section(const DesignResults& results) {
     Section section{"What it sounds like"};
-    section.paragraphs.push_back("The motion made audible: " + results.heard +
+    const bool is_of_contact = results.design.own_structure && !results.heard.empty() &&
+                               std::isdigit(static_cast<unsigned char>(results.heard.front())) != 0;
+    section.paragraphs.push_back("The motion made audible: " + std::string(is_of_contact ? "contact " : "") +
+                                 results.heard +
                                  ". Each sound is as loud as its file allows, whatever its level; the part itself "
                                  "radiates in its own way.");
     for (const DesignSound& sound : results.sounds) {
@@ -273,6 +277,12 @@ std::string explained(const std::string& line, const parameters::Field& field) {
     return text + "\n";
 }
 
+// what says where a contact is, if it is a name and no list of numbers
+bool is_of_contact(std::string_view section, std::string_view line) {
+    const bool is_list = line.find(" = [") != std::string_view::npos || line.find('=') == std::string_view::npos;
+    return section == "structure.contact" && (!is_list || line.starts_with('['));
+}
+
 // a case file to be read: what each value is, and of matrices where they are from
 std::string explained_case(const parameters::Case& c, const std::string& file) {
     const bool has_matrices = c.own_structure && !c.own_structure->recipe;
@@ -285,7 +295,8 @@ std::string explained_case(const parameters::Case& c, const std::string& file) {
         }
         const std::size_t equals = std::min(line.find(" = "), line.size());
         const bool is_list = equals == line.size() || line.substr(equals).starts_with(" = [");
-        const bool is_of_matrices = has_matrices && section.starts_with("structure") && line != "[structure]";
+        const bool is_of_matrices =
+            has_matrices && section.starts_with("structure") && line != "[structure]" && !is_of_contact(section, line);
         if (is_of_matrices && !line.empty() && (is_list || section != "structure")) continue;
         if (is_of_matrices && line.empty() && text.ends_with("\n\n")) continue;
         const std::string name = line.substr(0, equals);
@@ -315,7 +326,7 @@ Section file_section(const DesignResults& results) {
         section.file.saved = section.file.text;
         section.paragraphs.emplace_back("Its matrices are too large to be saved from here.");
     } else if (c.own_structure && !c.own_structure->recipe) {
-        section.paragraphs.emplace_back("The file that can be saved here holds its matrices, too.");
+        section.paragraphs.emplace_back("The file that can be saved from the HTML report holds its matrices, too.");
     }
     return section;
 }

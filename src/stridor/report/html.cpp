@@ -24,7 +24,9 @@ h1 { font-size: 1.7rem; line-height: 1.25; margin: 0; }
 .top h1 { flex: 1 1 18rem; }
 .facts { display: grid; grid-template-columns: auto auto; gap: .1rem .9rem; margin: 0; font-size: .9rem; }
 .facts dt { color: var(--soft); }
-.facts dd { margin: 0; }
+.facts { max-width: 22rem; }
+.facts dd { margin: 0; overflow-wrap: anywhere; min-width: 0; }
+h1.long { font-size: 1.15rem; }
 .headline { font-size: 1.25rem; font-weight: 650; max-width: none; margin: 0 0 .8rem; }
 h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; border-top: 1px solid var(--line); padding-top: 1.1rem; }
 p { margin: .5rem 0; max-width: 46rem; }
@@ -71,7 +73,8 @@ footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0
   .headline { font-size: 13pt; }
   .top { margin-bottom: .7rem; padding-bottom: .5rem; flex-wrap: nowrap; }
   .top h1 { flex-basis: 9cm; }
-  .facts { font-size: 8.5pt; }
+  h1.long { font-size: 11pt; }
+  .facts { font-size: 8.5pt; flex: 0 1 auto; max-width: 7cm; }
   .overview { grid-template-columns: minmax(0, 3fr) 4.8cm; }
   .sketch figcaption { display: none; }
   figure { margin: .4rem 0; }
@@ -148,7 +151,10 @@ std::string html(const Section& section) {
 }
 
 std::string top(const Report& report) {
-    std::string text = "<header class=\"top\"><h1>" + markup_text(report.title) + "</h1>\n<dl class=\"facts\">";
+    constexpr std::size_t long_title = 70;  // [byte] what is longer has smaller type, so that page one stays one sheet
+    std::string text = "<header class=\"top\"><h1" +
+                       std::string(report.title.size() > long_title ? " class=\"long\"" : "") + ">" +
+                       markup_text(report.title) + "</h1>\n<dl class=\"facts\">";
     for (const Particular& fact : report.facts)
         text += "<dt>" + markup_text(fact.name) + "</dt><dd>" + markup_text(fact.value) + "</dd>";
     return text + "</dl></header>\n<p class=\"headline\">" + markup_text(report.headline) + "</p>\n";
