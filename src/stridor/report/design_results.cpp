@@ -209,8 +209,10 @@ std::string reason_of(const Error& error) {
     if (error.kind() != ErrorKind::input && error.kind() != ErrorKind::numerical) throw error;
     const auto& problem = error.problem();
     std::string words = problem.what + (problem.why.empty() ? "" : " (" + problem.why + ")") + ".";
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-    return problem.suggestion.empty() ? words : words + " " + problem.suggestion;
+    // the key of a field keeps its letters
+    if (words.substr(0, words.find(' ')).find('.') == std::string::npos)
+        words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
 }
 
 std::string headline(const DesignResults& results) {
