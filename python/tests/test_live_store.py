@@ -41,7 +41,7 @@ def changes():
 @pytest.fixture
 def writer():
     """A program that fills the store of the folder "live", for some seconds."""
-    process = subprocess.Popen(chart_arguments("live", 0.4), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(chart_arguments("live", 1.6), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     while changes() <= 1:  # its tables are not there yet
         assert process.poll() is None
         time.sleep(0.001)

@@ -200,7 +200,10 @@ function strokeSamples(
     pen.lineTo(marginLeft + (inner * (k - first)) / (end - first), y(samples[k] as number));
 }
 
-/** Ends of a lane's scale: what is seen, with a little room and a part for its title; without rare peaks where these mean nothing. */
+/**
+ * Ends of a lane's scale: what is seen, with a little room and a part for its title; without rare peaks where these
+ * mean nothing.
+ */
 function limits(parts: Float32Array[], spiky: boolean, title: number): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const part of parts) {

@@ -74,8 +74,8 @@ private:
 /// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the
 /// units in the file; samples without any are "FS" and nothing else. A channel among others that holds what is no
 /// sample (not finite, an overload) or a counter is left out with a note, unless it is asked for by its name. Channels
-/// are counted without it. Throws `Error` (input) for what is damaged, empty, or of no known format, and `Error` (io) for
-/// what cannot be read. Samples that are not finite are refused with their frame while reading.
+/// are counted without it. Throws `Error` (input) for what is damaged, empty, or of no known format, and `Error` (io)
+/// for what cannot be read. Samples that are not finite are refused with their frame while reading.
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options = {});
 
 /// Is this the beginning of a recording: a sound, a UFF or a MAT file? Tables have none.
