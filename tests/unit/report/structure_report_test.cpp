@@ -95,6 +95,21 @@ TEST(DesignReport, OfOneDirectionSaysThatAlone) {
     EXPECT_EQ(headline(results).find("coming"), std::string::npos);
 }
 
+TEST(DesignReport, SaysWhyAPartIsMissing) {
+    EXPECT_EQ(reason_of(Error(ErrorKind::input, {"this cannot be done", "it is too soft", "Use steel."})),
+              "This cannot be done (it is too soft).")
+        << "what would mend another thing is no help";
+    EXPECT_THROW(reason_of(Error(ErrorKind::interrupted, {"stopped", "", ""})), Error);
+    DesignResults results = basic_results(chain(), {});
+    results.stability.reset();
+    results.without_stability = "Not today.";
+    results.advice_time = PartTime(60.0);
+    const Report report = design_report(results);
+    EXPECT_EQ(section_named(report, "Stability of steady sliding")->paragraphs.front(), "Not today.");
+    EXPECT_NE(report.badges.front().more.find("was not found within 60"), std::string::npos)
+        << report.badges.front().more;
+}
+
 TEST(DesignReport, ExplainsWhyMotionAndEarDiffer) {
     DesignResults results = basic_results(chain(), {});
     for (const parameters::Direction direction : {parameters::Direction::going, parameters::Direction::coming}) {
