@@ -30,8 +30,6 @@ using signal_table::Role;
 using signal_table::TableHeader;
 using signal_table::TableRows;
 
-constexpr std::size_t looked_at = 1024;  // rows that the rate is first taken from
-
 // the time in the last row that has one
 std::optional<std::string> last_time(const SignalInput& input, const TableHeader& header, std::size_t column) {
     const std::uint64_t size = input.bytes->size();
@@ -65,7 +63,7 @@ time_grid::Times times_of(const SignalInput& input, const TableHeader& header, s
     time_grid::Times times;
     times.unit = unit.unit == "s" ? unit.value : 1.0;
     TableRows rows(input, header);
-    while (times.first.size() < looked_at) {
+    while (times.first.size() < time_grid::looked_at) {
         const std::span<const double> row = rows.next();
         if (row.empty()) break;
         const double time = row[column];
