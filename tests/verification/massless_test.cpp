@@ -152,7 +152,7 @@ TEST(Massless, SharesOfTheStripOfRubberAreThoseWithInertia) {
     const double without = mean_stick(run_massless(strip.structure, strip.velocity, strip.start, {1e-6, 0.0}, watched));
     const double coarse = mean_stick(run_massless(strip.structure, strip.velocity, strip.start, {2e-6, 0.0}, watched));
     EXPECT_NEAR(without, with, 0.01);
-    EXPECT_NEAR(without, coarse, 0.001);
+    EXPECT_NEAR(without, coarse, support::effort(0.001, 0.003));  // a mean over a third of the time scatters more
 }
 
 TEST(Massless, BalancesTheEnergyOfAPlane) {

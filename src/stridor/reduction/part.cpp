@@ -151,6 +151,13 @@ private:
     std::map<RowLabel, Eigen::Index> rows_;
 };
 
+bool has_entry(const SparseMatrix& matrix) {
+    for (Eigen::Index outer = 0; outer < matrix.outerSize(); ++outer)
+        for (SparseMatrix::InnerIterator entry(matrix, outer); entry; ++entry)
+            if (entry.value() != 0.0) return true;
+    return false;
+}
+
 }  // namespace
 
 std::string describe(const RowLabel& label) {
@@ -179,7 +186,7 @@ void expect_sound(const ElasticPart& part, LinearSolver by) {
             "both must be of the same model");
     expect_symmetric(part, part.stiffness, "stiffness");
     expect_symmetric(part, part.mass, "mass");
-    if (part.mass.coeffs().size() == 0 || part.mass.coeffs().abs().maxCoeff() == 0.0)
+    if (!has_entry(part.mass))
         refuse_part("the part has no mass", "all entries of its mass are 0", "Is the density missing?");
     if (part.damping.rows() != 0) expect_symmetric(part, part.damping, "damping");
     expect_positive_mass(part, by);

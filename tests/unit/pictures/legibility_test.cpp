@@ -75,6 +75,7 @@ drawing::Scene contacts(std::size_t count) {
     parameters::OwnStructure structure;
     record::Record record;
     record::Tally tally;
+    tally.contacts.clear();
     for (std::size_t k = 0; k < count; ++k) {
         parameters::OwnContact contact;
         contact.name = "node_" + std::to_string(1000000 + k) + " of the lip's edge beside the corner";
