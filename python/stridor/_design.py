@@ -208,6 +208,12 @@ class Advice(_Document):
         return change
 
     @property
+    def changed(self) -> Optional[Dict[str, Any]]:
+        """The design that the recommended change leads to: its headline, what lies near, its chance of noise."""
+        changed: Optional[Dict[str, Any]] = self.to_dict()["changed"]
+        return changed
+
+    @property
     def chance(self) -> Optional[Dict[str, Any]]:
         """The chance of noise within the tolerances, with the ends of its interval; without tolerances of a quiet
         design alone, within those that parts usually have.

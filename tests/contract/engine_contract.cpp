@@ -4,6 +4,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "support/momentum.hpp"
 #include "support/random_cases.hpp"
 
 #include <algorithm>
@@ -154,6 +155,17 @@ TEST_P(EngineContract, BalancesItsEnergy) {
         // an impact only loses; at lift-off a scheme with steps may do work over a part of one step,
         // a share h of the whole
         EXPECT_GT(motion.energy.impact_loss, -100.0 * c.run.step * motion.energy.friction_loss);
+    }
+}
+
+// of both bodies, over a run with all states and impacts: what springs, dashpots and loads do not explain is friction
+TEST_P(EngineContract, BalancesItsMomentum) {
+    for (Case c : noisy_cases(GetParam())) {
+        const double interval = c.run.step;
+        const Motion motion = moved(c, {KeepHistory::no, {0.0, c.run.duration, interval}});
+        const double preload_impulse = c.contact.preload * c.run.duration;
+        EXPECT_LT(support::friction_residual(solved(c), motion, interval), support::trapezoids * preload_impulse)
+            << c.title << " at " << c.drive.velocity;
     }
 }
 

@@ -56,19 +56,24 @@ inline Eigen::VectorXd sum_of(const std::vector<std::vector<double>>& samples) {
     return sum;
 }
 
-/// The balance of a run with the trace of `request_of_balance`.
-inline Balance balance_of(const parameters::Case& c, const integration::Motion& motion, double interval) {
-    const model::Structure structure = model::structure_of(c);
-    const record::Trace& trace = motion.record.trace;
+/// What contacts have pushed over a run with the trace of `request_of_balance`, as bodies, springs, dashpots and loads
+/// tell it: the left side of the balance. Shape [row].
+inline Eigen::VectorXd pushed_by_contacts(const parameters::Case& c, const model::Structure& structure,
+                                          const record::Trace& trace, double interval) {
     const std::size_t last = trace.time.size() - 1;
     // where contacts have no inertia momentum is that of the modes that keep theirs
     const Eigen::VectorXd gained = parameters::is_without_inertia(c)
                                        ? Eigen::VectorXd(interval * sum_of(trace.acceleration))
                                        : Eigen::VectorXd(at(trace.velocity, last) - at(trace.velocity, 0));
-    Eigen::VectorXd rest = structure.mass * gained +
-                           structure.damping * (at(trace.displacement, last) - at(trace.displacement, 0)) +
-                           interval * (structure.stiffness * sum_of(trace.displacement)) -
-                           (trace.time.back() - trace.time.front()) * structure.load;
+    return structure.mass * gained + structure.damping * (at(trace.displacement, last) - at(trace.displacement, 0)) +
+           interval * (structure.stiffness * sum_of(trace.displacement)) -
+           (trace.time.back() - trace.time.front()) * structure.load;
+}
+
+/// The balance of a run with the trace of `request_of_balance`.
+inline Balance balance_of(const parameters::Case& c, const integration::Motion& motion, double interval) {
+    const model::Structure structure = model::structure_of(c);
+    Eigen::VectorXd rest = pushed_by_contacts(c, structure, motion.record.trace, interval);
     Balance balance;
     Eigen::MatrixXd tangents(rest.size(), static_cast<Eigen::Index>(structure.contacts.size()));
     for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
@@ -80,6 +85,18 @@ inline Balance balance_of(const parameters::Case& c, const integration::Motion& 
     }
     balance.residual = (model::orthogonal_complement(tangents).transpose() * rest).cwiseAbs().maxCoeff();
     return balance;
+}
+
+/// How far the momentum of a run of one contact, traced from its beginning to its end, is from what friction pushes
+/// [N*s]: largest along a direction that the normal does not push. Over a whole run of constant drive the work of the
+/// drive is V times the impulse of friction, impacts included, whether or not the engine records impulses.
+inline double friction_residual(const parameters::Case& c, const integration::Motion& motion, double interval) {
+    const model::Structure structure = model::structure_of(c);
+    const model::ContactPoint& contact = structure.contacts.front();
+    const double friction_impulse = motion.energy.drive_work / c.drive.velocity;
+    const Eigen::VectorXd rest =
+        pushed_by_contacts(c, structure, motion.record.trace, interval) - friction_impulse * contact.tangent;
+    return (model::orthogonal_complement(contact.normal).transpose() * rest).cwiseAbs().maxCoeff();
 }
 
 }  // namespace stridor::support

@@ -192,6 +192,8 @@ export interface Advice extends Document, Standing {
   ranking: string[];
   nearest: (DesignVerdict & { set: Setting[]; distance: number; words: string }) | null;
   change: DesignChange | null;
+  /** The design that the change leads to. */
+  changed: (Standing & { words: string; chance: Chance | null }) | null;
   changes: DesignChange[];
   chance: Chance | null;
   runs: number;

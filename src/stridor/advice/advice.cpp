@@ -2,6 +2,9 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -106,18 +109,32 @@ void find_changes(Advice& advice, DesignRunner& runner) {
     std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
 }
 
-// the chance of noise: within what was asked for, or, of a quiet design, within what parts of its kind usually have
-std::optional<Chance> chance_of(const Advice& advice, const AdviceOptions& options, DesignRunner& runner) {
-    const bool is_default = options.tolerances.empty();
-    if (is_default && !is_quiet(advice.present)) return std::nullopt;
-    const std::vector<Tolerance> spreads =
-        is_default ? default_tolerances(advice.space.base) : tolerances(advice.space.base, options.tolerances);
+// the chance of noise of a case: within what was asked for, or within what parts of its kind usually have
+std::optional<Chance> chance_within(const parameters::Case& c, std::span<const AskedTolerance> asked,
+                                    const AdviceOptions& options, DesignRunner& runner) {
+    const std::vector<Tolerance> spreads = asked.empty() ? default_tolerances(c) : tolerances(c, asked);
     if (spreads.empty()) return std::nullopt;
     ChanceOptions sampling = options.chance;
-    if (is_default) sampling.samples = default_samples;
+    if (asked.empty()) sampling.samples = default_samples;
     Chance result = chance(spreads, sampling, runner);
-    result.is_default = is_default;
+    result.is_default = asked.empty();
     return result;
+}
+
+// of the design as it is: that a noisy one is noisy within usual tolerances, too, is no news
+std::optional<Chance> chance_of(const Advice& advice, const AdviceOptions& options, DesignRunner& runner) {
+    if (options.tolerances.empty() && !is_quiet(advice.present)) return std::nullopt;
+    return chance_within(advice.space.base, options.tolerances, options, runner);
+}
+
+// what was asked for, as far as a case can have it: of a changed design a tolerance may leave the field's range
+std::span<const AskedTolerance> possible(const parameters::Case& c, std::span<const AskedTolerance> asked) {
+    try {
+        tolerances(c, asked);
+        return asked;
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 }  // namespace
@@ -164,23 +181,66 @@ void work_out(Advice& advice, AdviceStage& stage, const AdviceOptions& options, 
     advice.chance = chance_of(advice, options, runner);
 }
 
+parameters::Case changed_case(const DesignSpace& space, const DesignChange& change) {
+    parameters::Case c = space.base;
+    for (const ParameterChange& each : change.set)
+        parameters::set_quantity(c, space.parameters[each.parameter].key, each.to);
+    return c;
+}
+
+// where the recommended change leads; its runs come on top of those so far
+void look_at_changed(Advice& advice, const AdviceOptions& options) {
+    const DesignChange& change = advice.changes[*advice.recommended];
+    ChangedDesign& changed = advice.changed.emplace();
+    const DesignSpace& space = changed.standing.space =
+        design_space(changed_case(advice.space, change), {}, options.runs);
+    changed.standing.present = change.verdict;
+    DesignRunner runner(space, options.crew, options.stop);
+    runner.on_progress([&, before = advice.runs](std::size_t runs) {
+        advice.runs = before + runs;
+        if (options.progress) options.progress({AdviceStage::chance, advice.runs, 1.0});
+    });
+    changed.standing.near = neighbourhood(space, runner);
+    changed.chance = chance_within(space.base, possible(space.base, options.tolerances), options, runner);
+}
+
 }  // namespace
 
 Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     Advice advice;
     advice.space = design_space(c, options.over, options.runs);
     tolerances(c, options.tolerances);  // what is wrong with them is said before the work
-    DesignRunner runner(advice.space, options.crew, options.stop);
     AdviceStage stage = AdviceStage::margins;
-    try {
-        work_out(advice, stage, options, runner);
-    } catch (const Error& error) {
+    const auto note_stop = [&](const Error& error) {
         if (error.kind() != ErrorKind::interrupted || options.when_stopped == WhenStopped::refused) throw;
         advice.stopped_in = stage;
+    };
+    {
+        DesignRunner runner(advice.space, options.crew, options.stop);
+        try {
+            work_out(advice, stage, options, runner);
+        } catch (const Error& error) {
+            note_stop(error);
+        }
+        advice.runs = runner.runs();
     }
     put_in_order(advice);
-    advice.runs = runner.runs();
+    if (!advice.recommended || advice.stopped_in) return advice;
+    try {
+        look_at_changed(advice, options);
+    } catch (const Error& error) {
+        note_stop(error);
+    }
     return advice;
+}
+
+std::string changed_words(const ChangedDesign& changed) {
+    std::string text = headline(changed.standing);
+    if (!changed.chance) return text;
+    const Estimate& noise = changed.chance->noise;
+    return text + fmt::format("; chance of noise within {} {:.2g} % ({:.2g} to {:.2g} %)",
+                              changed.chance->is_default ? "usual tolerances" : "these tolerances", 100.0 * noise.share,
+                              100.0 * noise.low, 100.0 * noise.high);
 }
 
 std::string settings_of(const DesignSpace& space, const DesignChange& change) {

@@ -49,6 +49,19 @@ struct AdviceOptions {
     std::function<void(const AdviceProgress&)> progress{};  // called from the caller's thread
 };
 
+/// What a design does and what lies close to it.
+struct DesignStanding {
+    DesignSpace space{};
+    DesignVerdict present{};
+    std::optional<Neighbourhood> near{};  // of a quiet design, if it was looked for
+};
+
+/// The design that a change leads to, looked at as if it were the case.
+struct ChangedDesign {
+    DesignStanding standing{};
+    std::optional<Chance> chance{};  // of noise within the tolerances asked for; within the usual ones where nobody did
+};
+
 /// Advice on a design.
 struct Advice {
     DesignSpace space{};
@@ -61,16 +74,10 @@ struct Advice {
         nearest{};  // as a whole: the nearest quiet design, or, of a quiet one, the nearest not quiet
     std::vector<DesignChange> changes{};       // verified quieting changes, smallest first; none of a quiet design
     std::optional<std::size_t> recommended{};  // which of them
-    std::optional<Chance> chance{};            // of noise within tolerances
+    std::optional<ChangedDesign> changed{};    // where that one leads; nothing where it was not looked at
+    std::optional<Chance> chance{};            // of noise within tolerances, of the design as it is
     std::size_t runs = 0;                      // [1] simulated motions
     std::optional<AdviceStage> stopped_in{};   // `WhenStopped::kept`: what of this stage and those behind it is missing
-};
-
-/// What a design does and what lies close to it.
-struct DesignStanding {
-    DesignSpace space{};
-    DesignVerdict present{};
-    std::optional<Neighbourhood> near{};  // of a quiet design, if it was looked for
 };
 
 /// How far a design is looked at.
@@ -83,6 +90,10 @@ DesignStanding standing_of(const parameters::Case& c, Look look, const AdviceOpt
 /// The line that is said first of a design (`headline`).
 std::string headline(const Advice& advice);
 std::string headline(const DesignStanding& design);
+
+/// Says how far the changed design is from noise: "quiet, but only just: 0.4 % less plate mass squeals; chance of
+/// noise within usual tolerances 12 % (8.1 to 17 %)".
+std::string changed_words(const ChangedDesign& changed);
 
 /// Advice on a case: the same for every crew. Throws `Error` (input) for what is wrong with case and
 /// options, and (interrupted) when stopped, unless what is known is kept.

@@ -194,6 +194,8 @@ Section noisy_section(const Advice& advice) {
         change.table.rows.size() < advice.changes.size() ? " The smallest are shown; all stand further back." : "",
         advice.stopped_in == advice::AdviceStage::changes ? " Changes of several values were not found in this time."
                                                           : ""));
+    if (advice.changed)
+        change.paragraphs.push_back("The advised design is " + advice::changed_words(*advice.changed) + ".");
     return change;
 }
 

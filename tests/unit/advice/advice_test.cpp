@@ -167,6 +167,36 @@ TEST(Advice, NamesAChangeOfTheSquealThatIsQuiet) {
     EXPECT_LE(advice.nearest->distance, advice.changes.front().distance);
 }
 
+TEST(Advice, LooksAtTheDesignItAdvisesAsIfItWereTheCase) {
+    AdviceOptions options;
+    options.over = {{"contact.kinetic_friction"}};
+    options.tolerances = {{"contact.preload", 0.1, {}}};
+    options.chance.samples = 64;
+    const Advice advice = advise(brief(squeal), options);
+    ASSERT_TRUE(advice.changed);
+    const ParameterChange& set = advice.changes[*advice.recommended].set.front();
+    const Case changed = with(brief(squeal), advice.space.parameters[set.parameter].key, set.to);
+    EXPECT_EQ(headline(advice.changed->standing), headline(standing_of(changed, Look::around, options)));
+    const Advice there = advise(changed, options);
+    ASSERT_TRUE(advice.changed->chance);
+    EXPECT_EQ(advice.changed->chance->noise.share, there.chance->noise.share);
+    EXPECT_FALSE(advice.changed->chance->is_default);
+    EXPECT_EQ(changed_words(*advice.changed).rfind(headline(there) + "; chance of noise within these tolerances ", 0),
+              0U);
+}
+
+// a tolerance that the changed design cannot have takes nothing from the advice: the usual ones stand in
+TEST(Advice, TakesUsualTolerancesWhereTheChangedDesignCannotHaveThose) {
+    AdviceOptions options;
+    options.over = {{"contact.kinetic_friction"}};
+    options.tolerances = {{"contact.kinetic_friction", {}, 0.5}};  // from 0.4 down it would go below zero
+    options.chance.samples = 16;
+    const Advice advice = advise(brief(squeal), options);
+    EXPECT_FALSE(advice.chance->is_default);
+    ASSERT_TRUE(advice.changed);
+    EXPECT_TRUE(advice.changed->chance->is_default);
+}
+
 TEST(Advice, IsTheSameForAnyNumberOfThreads) {
     AdviceOptions options;
     options.over = {{"contact.kinetic_friction"}, {"joint.incidence_angle", 60.0, 80.0}};

@@ -144,7 +144,8 @@ std::string changes_list(const Advice& advice) {
     return columns(rows) +
            fmt::format(
                "\n* advised: {}\n  verified by {} runs of {} designs: quiet {}, and with 1 % more and less of each\n",
-               advice::settings_of(space, best), best.runs, best.designs, judged_words(space));
+               advice::settings_of(space, best), best.runs, best.designs, judged_words(space)) +
+           (advice.changed ? "  then " + advice::changed_words(*advice.changed) + "\n" : "");
 }
 
 std::string nearest_line(const Advice& advice) {

@@ -172,10 +172,6 @@ Json chance_object(const std::optional<advice::Chance>& chance) {
             {"tolerances", std::move(tolerances)}};
 }
 
-}  // namespace
-
-namespace {
-
 // what a design does, as its headline says it
 void add_standing(Json& document, const DesignSpace& space, const DesignVerdict& present,
                   const std::optional<advice::Neighbourhood>& near) {
@@ -190,6 +186,14 @@ void add_standing(Json& document, const DesignSpace& space, const DesignVerdict&
     document["present"]["quiet"] = advice::is_quiet(present);
     document["present"]["message"] = present.message;
     document["near"] = near_object(space, near);
+}
+
+// the design that the recommended change leads to
+Json changed_object(const advice::ChangedDesign& changed) {
+    Json object = {{"words", advice::changed_words(changed)}};
+    add_standing(object, changed.standing.space, changed.standing.present, changed.standing.near);
+    object["chance"] = chance_object(changed.chance);
+    return object;
 }
 
 }  // namespace
@@ -214,6 +218,7 @@ std::string advice_json(const Advice& advice) {
     document["nearest"] = nearest_object(space, advice.nearest);
     document["change"] =
         advice.recommended ? quieting_object(space, advice.changes[*advice.recommended]) : Json(nullptr);
+    document["changed"] = advice.changed ? changed_object(*advice.changed) : Json(nullptr);
     document["changes"] = changes_array(advice);
     document["chance"] = chance_object(advice.chance);
     document["runs"] = advice.runs;
