@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -44,6 +45,33 @@ TEST_F(ChartOfACase, NeedsNoSectionInTheFile) {
     EXPECT_NE(text("out/chart.svg").find("design"), std::string::npos) << "the case's own values are marked";
     const Finished from_file = run({"chart", "out/chart.toml", "--out", "again"}, folder_.path());
     ASSERT_EQ(from_file.exit_code, 0) << from_file.err;
+    EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
+}
+
+// 80 rows make 100 kB of matrices: shares and resumed charts read them from there
+TEST_F(ChartOfACase, IsReadAgainWhereItHoldsLargeMatrices) {
+    constexpr int rows = 80;
+    const auto matrix = [](double diagonal, double beside) {
+        std::string text = "[";
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < rows; ++j)
+                text += (j == 0 ? "[" : ", ") + std::to_string(i == j ? diagonal : beside / (1.0 + std::abs(i - j)));
+            text += "],\n";
+        }
+        return text + "]\n";
+    };
+    write_text(folder_.path() / "large.toml",
+               "[structure]\nmass = " + matrix(0.01, 0.0) + "stiffness = " + matrix(2e6, -1234.5) +
+                   "[[structure.contact]]\nname = \"foot\"\nnormal = \"u1\"\ntangent = \"u2\"\n"
+                   "[contact]\npreload = 20\nstatic_friction = 0.6\n"
+                   "kinetic_friction = 0.4\n[drive]\nkind = \"constant\"\n"
+                   "velocity = 0.1\n[run]\nduration = 2e-3\nwindow = 1e-3\n");
+    const Finished first =
+        run({"chart", "large.toml", "--x", "preload=10:40:2", "--y", "mu_d=0.2:0.4:2", "--out", "out"}, folder_.path());
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    ASSERT_GT(text("out/chart.toml").size(), 65536U);
+    const Finished again = run({"chart", "out/chart.toml", "--out", "again"}, folder_.path());
+    ASSERT_EQ(again.exit_code, 0) << again.err;
     EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
 }
 

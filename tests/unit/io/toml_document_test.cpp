@@ -97,7 +97,24 @@ TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
     };
     expect_error(document_refusal(bracketed(65)), "in each other more than 64 deep", "case.toml");
     EXPECT_EQ(parsed_document(bracketed(64)).entries.size(), 1U);
-    expect_error(document_refusal("# " + std::string(70000, 'x') + "\n"), "this is no case file", "case.toml");
+    expect_error(document_refusal("# " + std::string(17U << 20U, 'x') + "\n"), "this is no case file", "case.toml");
+}
+
+std::string repeated(std::size_t times, const std::string& text) {
+    std::string all;
+    for (std::size_t k = 0; k < times; ++k)
+        all += text;
+    return all;
+}
+
+// the resolved file of a part holds its matrices; each point of a name may open a section, those of numbers do not
+TEST(TomlDocument, ReadsMatricesOfManyNumbersAndNoManyNames) {
+    EXPECT_EQ(
+        parsed_document("a = [" + repeated(200, "[" + repeated(200, "-1.25e-3, ") + "],\n") + "]\n").entries.size(),
+        1U);
+    for (const std::string& names : {repeated(4001, "1.5 = 2\n"), repeated(4001, "[1.5]\n"),
+                                     repeated(2001, "a.b.c = 1\n"), "a = {" + repeated(4001, "1.5=2,") + "}\n"})
+        expect_error(document_refusal(names), "points in its names; at most 4000 make sense", "case.toml");
 }
 
 TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
