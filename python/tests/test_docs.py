@@ -7,7 +7,7 @@ import pytest
 from conftest import ROOT, needed
 
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-PAGES = ["docs/guide/python.md", "README.md"]
+PAGES = ["docs/guide/python.md", "docs/guide/first-hour-researcher.md", "README.md"]
 
 
 @pytest.mark.parametrize("page", PAGES)
