@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/friction/law.hpp"
+#include "stridor/model/friction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/impact/law.hpp"
+#include "stridor/model/impact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "stridor/integration/contact_mode.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/model/friction/slip.hpp"
+#include "stridor/model/friction.hpp"
 
 namespace stridor::integration {
 

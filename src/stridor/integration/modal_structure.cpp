@@ -36,10 +36,7 @@ ModalContact modal_contact(const model::ContactPoint& contact, const Eigen::Matr
     }
     result.initial_gap = contact.initial_gap;
     result.drive_share = contact.drive_share;
-    for (const model::Slip way : model::slips) {
-        result.limit[index_of(way)] = stick_limit(contact.friction, way);
-        result.ratio[index_of(way)] = slip_ratio(contact.friction, way);
-    }
+    result.friction = contact.friction;
     return result;
 }
 

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,12 +12,11 @@ namespace stridor::integration {
 
 /// A contact as the modes of its structure see it.
 struct ModalContact {
-    std::vector<double> normal;            // [1/√kg] n, shape [mode]
-    std::vector<double> tangent;           // [1/√kg] t, shape [mode]
-    double initial_gap = 0.0;              // [m] g0
-    double drive_share = 1.0;              // [1] of V(t)
-    std::array<double, 2> limit{};         // [1] of the stick, shape [slip]
-    std::array<double, 2> ratio{};         // [1] T/N of the slip, shape [slip]
+    std::vector<double> normal;   // [1/√kg] n, shape [mode]
+    std::vector<double> tangent;  // [1/√kg] t, shape [mode]
+    double initial_gap = 0.0;     // [m] g0
+    double drive_share = 1.0;     // [1] of V(t)
+    model::FrictionLaw friction{};
     std::vector<double> second_tangent{};  // [1/√kg] shape [mode]; empty: slip has one direction
     double second_drive_share = 0.0;       // [1] of V(t) along it
 };

@@ -42,7 +42,7 @@ Instant instant_of(const SizedStructure<dofs>& structure, const FrictionLaw& fri
     }
     if (now.state != ContactState::stick || !holds(friction, now.normal_force, now.friction_force)) {
         // a stuck contact that cannot hold slips against its friction force
-        const double ratio = slip_ratio(friction, w != 0.0 ? slip_of(w) : slip_against(now.friction_force));
+        const double ratio = slip_ratio(friction, w != 0.0 ? slip_of(w) : slip_against(now.friction_force), w);
         now.normal_force = -opening / (nn + ratio * nt);
         now.friction_force = ratio * now.normal_force;
         now.state = ContactState::slip;

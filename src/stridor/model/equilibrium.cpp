@@ -95,8 +95,10 @@ ClosedContacts closed_contacts(const Structure& structure, const std::vector<dou
 
 std::vector<double> sliding_ratios(const Structure& structure, double surface_velocity) {
     std::vector<double> ratios;
-    for (const ContactPoint& contact : structure.contacts)
-        ratios.push_back(slip_ratio(contact.friction, slip_of(-contact.drive_share * surface_velocity)));
+    for (const ContactPoint& contact : structure.contacts) {
+        const double w = -contact.drive_share * surface_velocity;
+        ratios.push_back(slip_ratio(contact.friction, slip_of(w), w));
+    }
     return ratios;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/model/friction/law.hpp"
-#include "stridor/model/impact/law.hpp"
+#include "stridor/model/friction.hpp"
+#include "stridor/model/impact.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/model/friction/law.hpp"
+#include "stridor/model/friction.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"

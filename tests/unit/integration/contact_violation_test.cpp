@@ -6,7 +6,7 @@ namespace stridor::integration {
 namespace {
 
 // mu_s = 0.8 and mu_d = 0.5
-const ModalContact law{{}, {}, 0.0, 1.0, {0.8, 0.8}, {-0.5, 0.5}};
+const ModalContact law{{}, {}, 0.0, 1.0, model::Coulomb{0.8, 0.5}};
 const TrialScale scale{.push = 10.0, .speed = 1.0, .rounding = 1e-10};
 
 ContactViolation of(const TriedContact& contact) {

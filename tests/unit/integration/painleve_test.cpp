@@ -12,8 +12,7 @@ constexpr ContactMode forward = ContactMode::slip_forward;
 
 ModalContact rubbing(double friction) {
     ModalContact contact;
-    contact.ratio[index_of(model::Slip::forward)] = -friction;
-    contact.ratio[index_of(model::Slip::backward)] = friction;
+    contact.friction = model::Coulomb{friction, friction};
     return contact;
 }
 

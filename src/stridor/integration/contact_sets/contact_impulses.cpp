@@ -35,7 +35,7 @@ public:
     ContactImpulses result() const { return result_; }
 
 private:
-    double ratio(std::size_t k) const { return structure_.contacts[k].ratio[index_of(way_of(result_.mode[k]))]; }
+    double ratio(std::size_t k) const { return slip_ratio(structure_.contacts[k].friction, way_of(result_.mode[k])); }
 
     const ModalStructure& structure_;
     const Meeting& meeting_;

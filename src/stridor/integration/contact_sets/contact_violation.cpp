@@ -6,6 +6,10 @@
 
 namespace stridor::integration {
 
+double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit) {
+    return limit == StickLimit::fallen ? std::abs(slip_ratio(law, way)) : stick_limit(law, way);
+}
+
 ContactViolation violation(const ModalContact& law, const TriedContact& contact, const TrialScale& scale) {
     ContactViolation worst;
     const auto look = [&](double excess, double largest, ContactMode mode) {
@@ -19,9 +23,8 @@ ContactViolation violation(const ModalContact& law, const TriedContact& contact,
     look(-contact.normal, scale.push, ContactMode::open);
     if (contact.mode == ContactMode::stick) {
         const model::Slip way = model::slip_against(contact.tangential);
-        const double limit =
-            contact.limit == StickLimit::fallen ? std::abs(law.ratio[index_of(way)]) : law.limit[index_of(way)];
-        look(std::abs(contact.tangential) - limit * contact.normal, scale.push, slip_mode(way));
+        look(std::abs(contact.tangential) - limit_of(law.friction, way, contact.limit) * contact.normal, scale.push,
+             slip_mode(way));
     } else {
         const double sign = contact.mode == ContactMode::slip_forward ? 1.0 : -1.0;
         look(-sign * contact.slip_velocity, scale.speed, ContactMode::stick);

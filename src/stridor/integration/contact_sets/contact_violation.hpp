@@ -9,6 +9,10 @@ namespace stridor::integration {
 /// that only fall make the search for a set of states end.
 enum class StickLimit { whole, fallen };
 
+/// Largest T/N [1] of a stuck contact, without sign, that keeps it from slipping that way; one that has fallen is that
+/// of the slip.
+double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit);
+
 /// A contact in a trial of states: what its state makes of its push (forces or impulses) and of its rates.
 struct TriedContact {
     ContactMode mode = ContactMode::open;

@@ -58,7 +58,7 @@ private:
             const auto normal = static_cast<Eigen::Index>(2 * k);
             rows.push_back(normal);
             beside.push_back(normal + 1);
-            share.push_back(is_slip(set_[k]) ? contacts_[k].ratio[index_of(way_of(set_[k]))] : 0.0);
+            share.push_back(is_slip(set_[k]) ? slip_ratio(contacts_[k].friction, way_of(set_[k])) : 0.0);
             if (set_[k] != ContactMode::stick) continue;
             rows.push_back(normal + 1);
             beside.push_back(normal + 1);

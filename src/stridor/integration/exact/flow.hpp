@@ -3,7 +3,7 @@
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/exact/contact_coordinates.hpp"
 #include "stridor/integration/exact/kernel.hpp"
-#include "stridor/model/friction/law.hpp"
+#include "stridor/model/friction.hpp"
 
 #include <memory>
 

@@ -73,7 +73,7 @@ void StepContacts::change(std::size_t contact, ContactMode mode) {
 // the ratios of T and N of a contact that slips
 void StepContacts::set_directions(std::size_t contact) {
     const std::size_t tangent = plan_.first[contact] + 1;
-    const double ratio = structure_.contacts[contact].ratio[index_of(way_of(set_[contact]))];
+    const double ratio = slip_ratio(structure_.contacts[contact].friction, way_of(set_[contact]));
     if (!plan_.has_two_tangents(contact)) return set_friction(tangent, ratio);
     set_friction(tangent, -std::abs(ratio) * direction_[contact][0]);
     set_friction(tangent + 1, -std::abs(ratio) * direction_[contact][1]);
@@ -83,7 +83,7 @@ void StepContacts::set_directions(std::size_t contact) {
 bool StepContacts::is_pressed_by(std::size_t contact, ContactMode mode) const {
     if (!is_slip(mode)) return false;
     const auto at = static_cast<Eigen::Index>(plan_.first[contact]);
-    const double ratio = structure_.contacts[contact].ratio[index_of(way_of(mode))];
+    const double ratio = slip_ratio(structure_.contacts[contact].friction, way_of(mode));
     if (!plan_.has_two_tangents(contact)) return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
     const std::array<double, 2>& along = direction_[contact];
     const double across = along[0] * response_(at, at + 1) + along[1] * response_(at, at + 2);

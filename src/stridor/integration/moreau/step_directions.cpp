@@ -111,7 +111,7 @@ bool StepContacts::settle_directions() {
                 const std::size_t l = slips[static_cast<std::size_t>(b)];
                 const std::size_t column = plan_.first[l] + 1;
                 const Plane d = across(direction_[l]);
-                const double mu = std::abs(structure_.contacts[l].ratio[0]);
+                const double mu = std::abs(slip_ratio(structure_.contacts[l].friction, model::Slip::forward));
                 const double moved =
                     e[0] * (tableau_.entry(row, column) * d[0] + tableau_.entry(row, column + 1) * d[1]) +
                     e[1] * (tableau_.entry(row + 1, column) * d[0] + tableau_.entry(row + 1, column + 1) * d[1]);

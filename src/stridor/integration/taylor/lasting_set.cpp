@@ -70,7 +70,7 @@ LastingSet::LastingSet(const ModalStructure& structure, std::vector<ContactMode>
         rows_.row(row) = normal.transpose();
         row_values_(row) = -c.initial_gap;
         pushes.col(row) = normal;
-        if (is_slip(set_[k])) pushes.col(row) += c.ratio[index_of(way_of(set_[k]))] * tangent;
+        if (is_slip(set_[k])) pushes.col(row) += slip_ratio(c.friction, way_of(set_[k])) * tangent;
         ++row;
         if (set_[k] != ContactMode::stick) continue;
         rows_.row(row) = tangent.transpose();
@@ -166,7 +166,7 @@ void LastingSet::add_margins(const MatrixXd& force_rows, double velocity) {
         }
         const Index T = row++;
         for (const model::Slip way : {model::Slip::backward, model::Slip::forward}) {
-            const double limit = c.limit[index_of(way)], sign = way == model::Slip::backward ? -1.0 : 1.0;
+            const double limit = stick_limit(c.friction, way), sign = way == model::Slip::backward ? -1.0 : 1.0;
             add_margin(k, limit * of_q.row(N) + sign * of_q.row(T), limit * of_v.row(N) + sign * of_v.row(T),
                        limit * constant(N) + sign * constant(T));
         }
@@ -285,7 +285,7 @@ LastingSet::Passed LastingSet::pass(std::span<const double> q, std::span<const d
         if (margin.is_normal_force) load.largest_force = value(margin, before) + margin.deviation.dot(after);
     }
     for (std::size_t k = 0; k < set_.size(); ++k)
-        passed.loads[k].friction_loss = std::abs(structure_.contacts[k].ratio[index_of(way_of(set_[k]))]) *
+        passed.loads[k].friction_loss = std::abs(slip_ratio(structure_.contacts[k].friction, way_of(set_[k]))) *
                                         passed.loads[k].normal_impulse * slip[k] / duration;
     return passed;
 }

@@ -2,6 +2,7 @@
 
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets/contact_impulses.hpp"
+#include "stridor/integration/contact_sets/contact_violation.hpp"
 #include "stridor/integration/contact_sets/painleve.hpp"
 #include "stridor/integration/taylor/held_sums.hpp"
 #include "stridor/integration/taylor/settling_zero.hpp"
@@ -54,8 +55,8 @@ BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& blo
         return series;
     }
     const model::Slip way = function == 1 ? model::Slip::backward : model::Slip::forward;
-    const ModalContact& law = structure.contacts[contact];
-    const double limit = has_broken ? std::abs(law.ratio[index_of(way)]) : law.limit[index_of(way)];
+    const double limit =
+        limit_of(structure.contacts[contact].friction, way, has_broken ? StickLimit::fallen : StickLimit::whole);
     const double sign = function == 1 ? -1.0 : 1.0;
     const BlockSeries& T = block.friction_force(contact);
     for (std::size_t m = 0; m < series.size(); ++m)

@@ -55,7 +55,7 @@ void TaylorRun::account(double theta) {
         tangential_[k] = values_of(mode == ContactMode::stick ? block_.friction_force(k) : block_.normal_force(k), x);
         if (mode == ContactMode::stick) continue;
         for (double& each : tangential_[k])
-            each = structure_.contacts[k].ratio[index_of(way_of(mode))] * each;
+            each = slip_ratio(structure_.contacts[k].friction, way_of(mode)) * each;
     }
     for (std::size_t i = 0; i < block_places; ++i) {
         const double duration = node_weight[i] * theta * step_;
@@ -136,8 +136,9 @@ void TaylorRun::pass_samples(double theta) {
                 continue;
             }
             sample.normal_force = std::max(0.0, value_of(block_.normal_force(k), x));
-            sample.friction_force = mode == ContactMode::stick ? value_of(block_.friction_force(k), x)
-                                                               : c.ratio[index_of(way_of(mode))] * sample.normal_force;
+            sample.friction_force = mode == ContactMode::stick
+                                        ? value_of(block_.friction_force(k), x)
+                                        : slip_ratio(c.friction, way_of(mode)) * sample.normal_force;
         }
         const Eigen::VectorXd u = structure_.shapes * q, speed = structure_.shapes * v,
                               acceleration = structure_.shapes * a;

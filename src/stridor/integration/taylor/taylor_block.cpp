@@ -61,7 +61,7 @@ TaylorBlock::Rows TaylorBlock::listed(const ContactSet& set) const {
         const std::size_t k = is_normal ? rows.normal[r] : rows.tangent[r - rows.normal.size()];
         const ModalContact& contact = structure_.contacts[k];
         const std::vector<double>& row = is_normal ? contact.normal : contact.tangent;
-        const double ratio = is_normal && is_slip(set[k]) ? contact.ratio[index_of(way_of(set[k]))] : 0.0;
+        const double ratio = is_normal && is_slip(set[k]) ? slip_ratio(contact.friction, way_of(set[k])) : 0.0;
         if (!is_normal) rows.drive[r] = contact.drive_share;
         for (std::size_t j = 0; j < modes_; ++j) {
             number_in(&rows.constraint[r * registers_], j) = row[j];
@@ -83,7 +83,7 @@ Eigen::MatrixXd TaylorBlock::products(const ContactSet& set, const Rows& rows) c
         const Eigen::Index column = number(c);
         const bool slips = c < closed && is_slip(set[rows.normal[c]]);
         const double ratio =
-            slips ? structure_.contacts[rows.normal[c]].ratio[index_of(way_of(set[rows.normal[c]]))] : 0.0;
+            slips ? slip_ratio(structure_.contacts[rows.normal[c]].friction, way_of(set[rows.normal[c]])) : 0.0;
         for (std::size_t r = 0; r < rows.count(); ++r)
             seen(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
                 structure_.compliance(number(r), column) +

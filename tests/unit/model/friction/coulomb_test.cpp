@@ -1,4 +1,4 @@
-#include "stridor/model/friction/law.hpp"
+#include "stridor/model/friction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,8 @@
-#include "stridor/model/friction/law.hpp"
+#include "stridor/model/friction.hpp"
 
 #include <cmath>
 
 namespace stridor::model {
-
-double stick_limit(const FrictionLaw& law, Slip way) {
-    return std::visit([way](const auto& each) { return stick_limit(each, way); }, law);
-}
-
-double slip_ratio(const FrictionLaw& law, Slip way) {
-    return std::visit([way](const auto& each) { return slip_ratio(each, way); }, law);
-}
 
 bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
     return normal_force >= 0.0 &&

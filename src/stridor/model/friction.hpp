@@ -1,0 +1,111 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+
+/// Friction of a contact. A law is a struct of its numbers and the functions below; the engines hold a `FrictionLaw`,
+/// call these and know no law.
+///
+/// A law is *state-wise* where its coefficients do not change as long as the contact sticks, or slips one way: the
+/// motion within a contact state is then linear, which is what the exact and the Taylor engine solve. A new law is a
+/// struct here and its name in the list; tests/contract/friction_contract.cpp says what it must keep.
+namespace stridor::model {
+
+/// The two ways in which a closed contact slips.
+enum class Slip {
+    forward,   // w > 0: the rubbed mass is ahead of the surface, T <= 0
+    backward,  // w < 0: it lags behind, T >= 0; steady sliding over a surface that moves going
+};
+
+inline constexpr std::array<Slip, 2> slips{Slip::forward, Slip::backward};
+inline constexpr std::array<std::string_view, 2> slip_names{"forward", "backward"};
+
+/// The way's place in arrays of shape [slip].
+constexpr std::size_t index_of(Slip way) {
+    return static_cast<std::size_t>(way);
+}
+
+/// The way a slip velocity [m/s] other than zero has.
+constexpr Slip slip_of(double slip_velocity) {
+    return slip_velocity > 0.0 ? Slip::forward : Slip::backward;
+}
+
+/// The way in which a stuck contact gives in to the friction force [N] that holds it: against it.
+constexpr Slip slip_against(double friction_force) {
+    return friction_force > 0.0 ? Slip::backward : Slip::forward;
+}
+
+/// Coulomb friction with two coefficients, the same both ways and independent of the slip velocity (Elmaian et al.
+/// 2012, Figure 3):
+///
+///     stick  |T| <= mu_s N        slip  T = -sign(w) mu_d N
+struct Coulomb {
+    static constexpr bool is_state_wise = true;
+
+    double static_coefficient = 0.0;   // [1] mu_s
+    double kinetic_coefficient = 0.0;  // [1] mu_d <= mu_s
+
+    double limit(Slip) const { return static_coefficient; }
+    double resistance(Slip, double) const { return kinetic_coefficient; }
+    double resistance_slope(Slip, double) const { return 0.0; }
+    bool operator==(const Coulomb&) const = default;
+};
+
+/// Coulomb friction with two coefficients each way: bristles, fibres, a grain that is stroked or ruffled.
+///
+///     stick  -mu_s(forward) N <= T <= mu_s(backward) N        slip  T = -mu_d(forward) N or +mu_d(backward) N
+struct Directional {
+    static constexpr bool is_state_wise = true;
+
+    std::array<double, 2> static_coefficients{};   // [1] mu_s, shape [slip]
+    std::array<double, 2> kinetic_coefficients{};  // [1] mu_d <= mu_s, shape [slip]
+
+    double limit(Slip way) const { return static_coefficients[index_of(way)]; }
+    double resistance(Slip way, double) const { return kinetic_coefficients[index_of(way)]; }
+    double resistance_slope(Slip, double) const { return 0.0; }
+    bool operator==(const Directional&) const = default;
+};
+
+using FrictionLaw = std::variant<Coulomb, Directional>;
+
+/// Does the law keep its coefficients while the contact sticks, or slips one way?
+inline bool is_state_wise(const FrictionLaw& law) {
+    return std::visit([](const auto& each) { return each.is_state_wise; }, law);
+}
+
+/// Largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping that way.
+inline double stick_limit(const FrictionLaw& law, Slip way) {
+    return std::visit([way](const auto& each) { return each.limit(way); }, law);
+}
+
+/// Friction force over normal force [1], T/N on the rubbed mass, while the contact slips that way with a slip velocity
+/// w [m/s]: against the slip, so at most 0 forward and at least 0 backward, and within the limit of the stick that way.
+/// A w that points the other way counts as 0.
+inline double slip_ratio(const FrictionLaw& law, Slip way, double slip_velocity) {
+    const double sign = way == Slip::forward ? 1.0 : -1.0;
+    const double speed = sign * slip_velocity > 0.0 ? sign * slip_velocity : 0.0;
+    return std::visit([=](const auto& each) { return -sign * each.resistance(way, speed); }, law);
+}
+
+/// The ratio [1] of a slip that begins, w = 0; of a state-wise law that of any slip.
+inline double slip_ratio(const FrictionLaw& law, Slip way) {
+    return slip_ratio(law, way, 0.0);
+}
+
+/// Change of `slip_ratio` with the slip velocity [s/m], above zero where friction falls with the speed of slip.
+inline double slip_ratio_slope(const FrictionLaw& law, Slip way, double slip_velocity) {
+    const double speed = way == Slip::forward ? slip_velocity : -slip_velocity;
+    return std::visit([=](const auto& each) { return -each.resistance_slope(way, speed > 0.0 ? speed : 0.0); }, law);
+}
+
+/// Can a contact stick with these forces [N]? Never if N < 0.
+bool holds(const FrictionLaw& law, double normal_force, double friction_force);
+
+/// The law of a case.
+FrictionLaw friction_law(const parameters::Contact& contact);
+
+}  // namespace stridor::model
