@@ -1,5 +1,6 @@
 /** Resolved cases. Each of several joints has the keys of [joint] and [contact] below its name: "joint.lip2.mass". */
-import type { Case, Field, JointPart, OwnContact, Preset, Section } from "./types.ts";
+import type { Case, Field, JointPart, Preset, Section } from "./types.ts";
+import type { OwnContact } from "../program/words.ts";
 
 /** The joints of a case with several; none for a case with one, whose keys need no name. */
 export function jointsOf(resolved: Case): JointPart[] {

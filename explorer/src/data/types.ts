@@ -8,6 +8,7 @@ import type {
   Direction,
   Ending,
   FigureName,
+  OwnContact,
   Phase,
   QuietReason,
   Scale,
@@ -31,22 +32,6 @@ export type Units = Record<string, string>;
 export type Case = { title: string } & Record<string, Section | JointPart[] | string>;
 export type Section = Record<string, number | string | (number | string)[] | OwnContact[]>;
 export type JointPart = { name: string; contact: Section } & Record<string, number | string | Section>;
-
-/** A contact of a structure of the user's own, as [structure] lists it. */
-export interface OwnContact {
-  name: string;
-  initial_gap: number;
-  static_friction: number;
-  kinetic_friction: number;
-  drive_share: number;
-  /** None of one that a load or a negative gap presses. */
-  preload?: number;
-  interface?: string;
-  /** Where it is [m], if the file or the builder says. */
-  position?: number[];
-  /** How far along the line of contacts that is [m], where all are known and differ. */
-  along_line?: number;
-}
 
 /** "drive.kind": ["constant"]: the choices without which a field means nothing; empty if it always does. */
 export type Homes = Record<string, string[]>;

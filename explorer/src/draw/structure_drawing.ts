@@ -7,7 +7,7 @@
 import type { Motion } from "../data/frames.ts";
 import { placesOf } from "../data/cases.ts";
 import { stateOf, type Moment } from "../data/moment.ts";
-import type { OwnContact } from "../data/types.ts";
+import type { OwnContact } from "../program/words.ts";
 import { paintBody, paintContact, paintStateName, paintStrokes, type Scales } from "./contact_mark.ts";
 import { arrow, line, sign, type Point } from "./sketch.ts";
 import { font, type Surface } from "./surface.ts";

@@ -93,3 +93,25 @@ export const figureNames = [
   "proof_time",
 ] as const;
 export type FigureName = (typeof figureNames)[number];
+
+/** A contact of a structure of the user's own, as [structure] lists it. */
+export interface OwnContact {
+  /** what results call it */
+  name: string;
+  /** gap without load; negative: pressed together so far [m] */
+  initial_gap: number;
+  /** its own mu_s [1] */
+  static_friction: number;
+  /** its own mu_d [1] */
+  kinetic_friction: number;
+  /** part of V that the surface has along the tangent [1] */
+  drive_share: number;
+  /** preload; none of one that a load or a negative gap presses [N] */
+  preload?: number;
+  /** contacts of one name are judged as a whole */
+  interface?: string;
+  /** where it is, for drawings; it changes no result [m] */
+  position?: number[];
+  /** How far along the line of contacts that is [m], where all are known and differ. */
+  along_line?: number;
+}

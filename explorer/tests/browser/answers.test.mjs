@@ -1,4 +1,4 @@
-// The running program's answers against the types that the page reads them with (src/data). Each answer
+// The running program's answers against the types that the page reads them with (src/data, src/program). Each answer
 // becomes a literal of its type, and the compiler says which key or word is missing in the one or the other.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 import { program, startExplorer } from "./session.mjs";
 
 const page = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const files = ["types.ts", "answer_types.ts"].map((name) => join(page, "src/data", name));
+const files = ["data/types.ts", "data/answer_types.ts", "program/words.ts"].map((name) => join(page, "src", name));
 
 let folder;
 let explorer;

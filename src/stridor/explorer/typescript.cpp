@@ -8,6 +8,7 @@
 #include "stridor/integration/outcome.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/cell_kinds.hpp"
@@ -18,7 +19,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace stridor::explorer {
@@ -149,6 +153,31 @@ WordList figure_names() {
     return names;
 }
 
+// what case documents show of a contact of [structure]; what the case says for all, and numbers, are always there
+std::string contact_type() {
+    std::string lines =
+        "\n/** A contact of a structure of the user's own, as [structure] lists it. */\n"
+        "export interface OwnContact {\n";
+    for (const parameters::ContactField& field : parameters::contact_fields()) {
+        if (!parameters::is_shown(field)) continue;
+        const bool is_share = field.key == "preload_share";
+        const bool is_number = std::holds_alternative<double parameters::OwnContact::*>(field.member);
+        const bool is_list =
+            std::holds_alternative<std::optional<std::array<double, 3>> parameters::OwnContact::*>(field.member);
+        const bool is_always_there = field.key == "name" || field.in_place_of != nullptr || (is_number && !is_share);
+        const std::string unit = is_share ? " [N]" : field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
+        lines += fmt::format("  /** {}{} */\n  {}{}: {};\n",
+                             is_share ? "preload; none of one that a load or a negative gap presses" : field.sentence,
+                             unit, is_share ? "preload" : field.key, is_always_there ? "" : "?",
+                             is_list              ? "number[]"
+                             : field.unit.empty() ? "string"
+                                                  : "number");
+    }
+    return lines +
+           "  /** How far along the line of contacts that is [m], where all are known and differ. */\n"
+           "  along_line?: number;\n}\n";
+}
+
 std::string words() {
     return opening("The words of answers and requests.", "words") +
            words_as_type("The way the plate moves.", "directions", "Direction", words_of(parameters::direction_names)) +
@@ -170,7 +199,8 @@ std::string words() {
            words_as_type("How a run ended.", "endings", "Ending", words_of(integration::reason_names)) +
            words_as_type("How steady sliding answers to a small push.", "stabilityKinds", "StabilityKind",
                          words_of(analysis::stability_names)) +
-           words_as_type("What is known of a cell in numbers.", "figureNames", "FigureName", figure_names());
+           words_as_type("What is known of a cell in numbers.", "figureNames", "FigureName", figure_names()) +
+           contact_type();
 }
 
 }  // namespace

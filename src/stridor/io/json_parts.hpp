@@ -5,6 +5,7 @@
 #include "stridor/base/json.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -12,10 +13,14 @@
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace stridor::io::json_parts {
 
@@ -66,14 +71,24 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
     const std::vector<double> places = parameters::places_along_line(own);
     for (std::size_t k = 0; k < own.contacts.size(); ++k) {
         const parameters::Contact laws = parameters::contact_of(c, k);
-        Json contact{{"name", own.contacts[k].name},
-                     {"initial_gap", own.contacts[k].initial_gap},
-                     {"static_friction", laws.static_friction},
-                     {"kinetic_friction", laws.kinetic_friction},
-                     {"drive_share", own.contacts[k].drive_share}};
-        if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
-        if (!own.contacts[k].interface.empty()) contact["interface"] = own.contacts[k].interface;
-        if (own.contacts[k].position) contact["position"] = *own.contacts[k].position;
+        Json contact = Json::object();
+        for (const parameters::ContactField& field : parameters::contact_fields()) {
+            if (!is_shown(field)) continue;
+            const std::string key(field.key);
+            const parameters::ContactValue value = value_of(own.contacts[k], field);
+            const auto* words = std::get_if<std::string>(&value);
+            if (field.key == "preload_share") {
+                if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
+            } else if (field.in_place_of != nullptr) {
+                contact[key] = laws.*field.in_place_of;  // the case's, where the contact has none of its own
+            } else if (const auto* number = std::get_if<double>(&value)) {
+                contact[key] = *number;
+            } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+                contact[key] = *numbers;
+            } else if (words != nullptr && (field.key == "name" || !words->empty())) {
+                contact[key] = *words;
+            }
+        }
         if (!places.empty()) contact["along_line"] = places[k];
         contacts.push_back(std::move(contact));
     }
@@ -116,10 +131,13 @@ inline Json case_units(const parameters::Case& c) {
             quantity != nullptr && field.belongs(c))
             units["case." + parameters::key_of(field)] = quantity->unit;
     if (c.own_structure) {
-        units["case.structure.contacts.initial_gap"] = "m";
-        units["case.structure.contacts.preload"] = "N";
-        units["case.structure.contacts.position"] = "m";
-        units["case.structure.contacts.along_line"] = "m";
+        const std::string contacts = "case.structure.contacts.";
+        for (const parameters::ContactField& field : parameters::contact_fields()) {
+            const bool has_unit = !field.unit.empty() && field.unit != "1";
+            if (field.key == "preload_share") units[contacts + "preload"] = "N";
+            if (has_unit && is_shown(field)) units[contacts + std::string(field.key)] = field.unit;
+        }
+        units[contacts + "along_line"] = "m";
     }
     if (parameters::has_temperature_table(c)) units["case.temperature.at"] = parameters::unit_of("temperature.value");
     for (const parameters::TemperatureColumn& column : c.temperature.columns)

@@ -3,10 +3,12 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace stridor::parameters {
 
@@ -21,6 +23,14 @@ void put(std::string& text, const std::vector<double>& numbers) {
 
 void put(std::string& text, const std::optional<double>& number) {
     text += (number ? base::shortest(*number) : "-") + "\n";
+}
+
+// a field that came later
+void put(std::string& text, const ContactField& field, const ContactValue& value) {
+    text += std::string(field.key) + "=";
+    if (const auto* words = std::get_if<std::string>(&value)) text += *words + ";";
+    if (const auto* number = std::get_if<double>(&value)) put(text, std::optional(*number));
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) put(text, *numbers);
 }
 
 }  // namespace
@@ -79,6 +89,8 @@ std::string content_hash(const OwnStructure& structure) {
         text += contact.interface + ";";
         put(text, contact.static_friction);
         put(text, contact.kinetic_friction);
+        for (const ContactField& field : contact_fields().subspan(first_contact_fields))
+            if (!is_usual(contact, field)) put(text, field, value_of(contact, field));
     }
     return base::hash_text(text);
 }
@@ -138,8 +150,10 @@ Contact contact_of(const Case& c, std::size_t contact) {
     for (const OwnContact& each : c.own_structure->contacts)
         all += each.preload_share;
     Contact laws = c.contact;
-    laws.static_friction = own.static_friction.value_or(c.contact.static_friction);
-    laws.kinetic_friction = own.kinetic_friction.value_or(c.contact.kinetic_friction);
+    for (const ContactField& field : contact_fields())
+        if (const auto* number = std::get_if<std::optional<double> OwnContact::*>(&field.member);
+            number != nullptr && field.in_place_of != nullptr && own.**number)
+            laws.*field.in_place_of = *(own.**number);
     laws.preload = all > 0.0 ? c.contact.preload * (own.preload_share / all) : 0.0;
     return laws;
 }

@@ -5,6 +5,7 @@
 #include "stridor/io/case/own_structure/toml_structure.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -16,8 +17,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace stridor::io {
 
@@ -213,9 +216,15 @@ void add_structure_keys(Json& section) {
     Json contact = section_schema();
     for (const std::string_view key : structure_keys(StructureKeys::of_contact))
         contact["properties"][std::string(key)] = text;
-    contact["properties"]["normal"] = contact["properties"]["tangent"] = direction;
-    contact["properties"]["position"] = list_of({{"type", "number"}});
-    contact["required"] = {"normal", "tangent"};
+    for (const parameters::ContactField& field : parameters::contact_fields()) {
+        Json& property = contact["properties"][std::string(field.key)];
+        if (std::holds_alternative<std::vector<double> parameters::OwnContact::*>(field.member)) property = direction;
+        if (std::holds_alternative<std::optional<std::array<double, 3>> parameters::OwnContact::*>(field.member))
+            property = list_of({{"type", "number"}});
+        const bool has_unit = !field.unit.empty() && field.unit != "1";
+        property["description"] = std::string(field.sentence) + (has_unit ? "; " + std::string(field.unit) : "");
+        if (field.need == parameters::ContactField::Need::required) contact["required"].push_back(field.key);
+    }
     properties["contact"] = list_of(std::move(contact));
     Json output = section_schema();
     for (const std::string_view key : structure_keys(StructureKeys::of_output))

@@ -5,6 +5,7 @@
 #include "stridor/io/case/case_changes.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <array>
@@ -13,8 +14,10 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 // Text, then the times and velocities of samples, then the structure if matrices gave it. Numbers are their bytes: a
@@ -105,12 +108,25 @@ private:
     bool is_good_ = true;
 };
 
+// in the order in which these bytes have them
+constexpr std::array<std::string_view, parameters::first_contact_fields> packed_keys{"name",
+                                                                                     "normal",
+                                                                                     "tangent",
+                                                                                     "second_tangent",
+                                                                                     "initial_gap",
+                                                                                     "interface",
+                                                                                     "static_friction",
+                                                                                     "kinetic_friction",
+                                                                                     "preload_share",
+                                                                                     "drive_share",
+                                                                                     "second_drive_share",
+                                                                                     "position"};
+
 // every member in one order, for both
 template <typename Archive, typename Contact>
 void pass_contact(Archive& pass, Contact& contact) {
-    pass(contact.name), pass(contact.normal), pass(contact.tangent), pass(contact.second_tangent);
-    pass(contact.initial_gap), pass(contact.interface), pass(contact.static_friction), pass(contact.kinetic_friction);
-    pass(contact.preload_share), pass(contact.drive_share), pass(contact.second_drive_share), pass(contact.position);
+    for (const std::string_view key : packed_keys)
+        std::visit([&](auto member) { pass(contact.*member); }, parameters::contact_field(key).member);
 }
 
 template <typename Archive, typename Structure>

@@ -2,6 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/own_structure/built_structure.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 using parameters::Case;
 using parameters::Choice;
+using parameters::ContactField;
 using parameters::Field;
 using parameters::Quantity;
 
@@ -256,20 +258,17 @@ std::string output_tables(const parameters::OwnStructure& own) {
 }
 
 std::string contact_tables(const parameters::OwnStructure& own) {
+    const auto text_of = [](const parameters::ContactValue& value, std::string_view unit) {
+        if (const auto* words = std::get_if<std::string>(&value)) return basic_string(*words);
+        if (const auto* number = std::get_if<double>(&value)) return quantity_text(*number, unit);
+        return numbers_text(std::get<std::vector<double>>(value));
+    };
     std::string text;
     for (const parameters::OwnContact& contact : own.contacts) {
-        text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) +
-                "\nnormal = " + numbers_text(contact.normal) + "\ntangent = " + numbers_text(contact.tangent) + "\n";
-        if (!contact.second_tangent.empty()) text += "second_tangent = " + numbers_text(contact.second_tangent) + "\n";
-        if (contact.second_drive_share != 0.0)
-            text += "second_drive_share = " + number_text(contact.second_drive_share) + "\n";
-        if (contact.initial_gap != 0.0) text += "initial_gap = " + quantity_text(contact.initial_gap, "m") + "\n";
-        if (!contact.interface.empty()) text += "interface = " + basic_string(contact.interface) + "\n";
-        if (contact.static_friction) text += "static_friction = " + number_text(*contact.static_friction) + "\n";
-        if (contact.kinetic_friction) text += "kinetic_friction = " + number_text(*contact.kinetic_friction) + "\n";
-        if (contact.preload_share > 0.0) text += "preload_share = " + number_text(contact.preload_share) + "\n";
-        if (contact.drive_share != 1.0) text += "drive_share = " + number_text(contact.drive_share) + "\n";
-        if (contact.position) text += "position = " + numbers_text(*contact.position) + "\n";
+        text += "\n[[structure.contact]]\n";
+        for (const ContactField& field : parameters::contact_fields())
+            if (field.key == "name" || field.need == ContactField::Need::required || !is_usual(contact, field))
+                text += std::string(field.key) + " = " + text_of(value_of(contact, field), field.unit) + "\n";
     }
     return text;
 }

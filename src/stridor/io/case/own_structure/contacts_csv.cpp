@@ -12,38 +12,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace stridor::io {
 
 namespace {
 
 namespace csv = recordings::csv_table;
+using parameters::ContactField;
+using parameters::OwnContact;
 using recordings::place_of;
 using recordings::refusal;
 using recordings::TextLine;
-
-// the places of `contact_keys`
-enum class TableKey : std::size_t {
-    name,
-    node,
-    set,
-    against,
-    interface,
-    normal,
-    tangent,
-    second_tangent,
-    initial_gap,
-    static_friction,
-    kinetic_friction,
-    preload_share,
-    drive_share,
-    second_drive_share,
-    position
-};
-
-constexpr std::size_t index_of(TableKey column) {
-    return static_cast<std::size_t>(column);
-}
 
 class ContactTable {
 public:
@@ -55,7 +35,7 @@ public:
         const std::vector<csv::CsvField> titles = csv::split(first, dialect_.delimiter);
         for (std::size_t k = 0; k < titles.size(); ++k)
             take_title(titles[k], k, place_of(file_, line, titles[k].column));
-        if (!place_of_column(TableKey::normal) || !place_of_column(TableKey::tangent))
+        if (!columns_.contains("normal") || !columns_.contains("tangent"))
             throw refusal(place_of(file_, line, 1), "the table lacks a column normal or tangent",
                           "each contact has both");
     }
@@ -63,70 +43,32 @@ public:
     NamedContact contact_in(const TextLine& line) {
         fields_ = csv::split(line.text, dialect_.delimiter);
         place_ = place_of(file_, line, 1);
-        return {.name = text(TableKey::name),
-                .node = text(TableKey::node),
-                .set = text(TableKey::set),
-                .against = text(TableKey::against),
-                .interface = text(TableKey::interface),
-                .normal = text(TableKey::normal),
-                .tangent = text(TableKey::tangent),
-                .second_tangent = text(TableKey::second_tangent).empty()
-                                      ? std::nullopt
-                                      : std::optional<NamedDirection>(text(TableKey::second_tangent)),
-                .initial_gap = length_ * number(TableKey::initial_gap).value_or(0.0),
-                .static_friction = size(TableKey::static_friction),
-                .kinetic_friction = size(TableKey::kinetic_friction),
-                .preload_share = size(TableKey::preload_share),
-                .drive_share = number(TableKey::drive_share).value_or(1.0),
-                .second_drive_share = number(TableKey::second_drive_share).value_or(0.0),
-                .position = position(),
-                .place = place_};
+        return named_contact(*this, place_);
     }
 
-private:
-    std::optional<std::size_t> place_of_column(TableKey column) const { return places_.at(index_of(column)); }
-
-    void take_title(const csv::CsvField& field, std::size_t k, const base::Place& place) {
-        const csv::Title title = csv::title_of(field.text);
-        const std::string known = csv::lower(title.name);
-        const auto found = std::find(contact_keys.begin(), contact_keys.end(), known);
-        if (found == contact_keys.end()) {
-            const std::string near(base::nearest_name(known, contact_keys));
-            throw refusal(place, fmt::format("\"{}\" is no column of contacts", title.name), "",
-                          near.empty() ? "" : "Did you mean " + near + "?");
-        }
-        const auto column = static_cast<std::size_t>(found - contact_keys.begin());
-        places_.at(column) = k;
-        if (column != index_of(TableKey::initial_gap) || title.unit.empty()) return;
-        const auto unit = base::find_unit(title.unit);
-        if (!unit || !(unit->dimension == base::Dimension{.length = 1}))
-            throw refusal(place, fmt::format("\"{}\" is no length", title.unit));
-        length_ = unit->factor;
+    std::optional<std::string> text(std::string_view key) const {
+        const std::string words = cell(key);
+        return words.empty() ? std::nullopt : std::optional(words);
     }
 
-    std::string text(TableKey column) const {
-        const auto place = place_of_column(column);
-        return place && *place < fields_.size() ? fields_[*place].text : std::string();
-    }
-
-    std::optional<double> number(TableKey column) const {
-        const std::string words = text(column);
+    std::optional<double> number(const ContactField& field) const {
+        const std::string words = cell(field.key);
         if (words.empty()) return std::nullopt;
         const auto value = csv::number_in(words, dialect_);
         if (!value || !std::isfinite(*value))
-            throw refusal(place_, fmt::format("\"{}\" is no number of {}", words, contact_keys.at(index_of(column))));
-        return value;
+            throw refusal(place_, fmt::format("\"{}\" is no number of {}", words, field.key));
+        if (*value < field.range.low) throw refusal(place_, fmt::format("{} is negative", field.key));
+        return columns_.find(field.key)->second.factor * *value;
     }
 
-    std::optional<double> size(TableKey column) const {
-        const auto value = number(column);
-        if (value && *value < 0.0)
-            throw refusal(place_, fmt::format("{} is negative", contact_keys.at(index_of(column))));
-        return value;
+    std::optional<NamedDirection> direction(const ContactField& field) const {
+        const std::string words = cell(field.key);
+        const bool may_lack = field.need == ContactField::Need::optional;
+        return words.empty() && may_lack ? std::nullopt : std::optional<NamedDirection>(words);
     }
 
-    std::optional<std::array<double, 3>> position() const {
-        const std::string words = text(TableKey::position);
+    std::optional<std::array<double, 3>> position(const ContactField& field) const {
+        const std::string words = cell(field.key);
         if (words.empty()) return std::nullopt;
         std::array<double, 3> found{};
         std::size_t count = 0;
@@ -141,10 +83,48 @@ private:
         return found;
     }
 
+private:
+    struct Column {
+        std::size_t place = 0;  // in its row
+        double factor = 1.0;    // [1] of its numbers, to the field's unit
+    };
+
+    void take_title(const csv::CsvField& written, std::size_t k, const base::Place& place) {
+        const csv::Title title = csv::title_of(written.text);
+        const std::string known = csv::lower(title.name);
+        const auto keys = contact_keys();
+        const auto found = std::find(keys.begin(), keys.end(), known);
+        if (found == keys.end()) {
+            const std::string near(base::nearest_name(known, keys));
+            throw refusal(place, fmt::format("\"{}\" is no column of contacts", title.name), "",
+                          near.empty() ? "" : "Did you mean " + near + "?");
+        }
+        columns_[*found] = {k, title.unit.empty() ? 1.0 : factor_of(*found, title.unit, place)};
+    }
+
+    // numbers of SI are 1 of it; what has no unit there needs none here
+    static double factor_of(std::string_view key, const std::string& written, const base::Place& place) {
+        const auto fields = parameters::contact_fields();
+        const auto field =
+            std::find_if(fields.begin(), fields.end(), [&](const ContactField& each) { return each.key == key; });
+        const bool is_number = field != fields.end() && std::holds_alternative<double OwnContact::*>(field->member);
+        if (!is_number || field->unit == "1") return 1.0;
+        const auto unit = base::find_unit(written);
+        if (!unit || !(unit->dimension == base::find_unit(field->unit)->dimension))
+            throw refusal(place, fmt::format("\"{}\" is no unit of {}", written, key),
+                          fmt::format("it is in {}", field->unit));
+        return unit->factor;
+    }
+
+    std::string cell(std::string_view key) const {
+        const auto column = columns_.find(key);
+        const bool is_there = column != columns_.end() && column->second.place < fields_.size();
+        return is_there ? fields_[column->second.place].text : std::string();
+    }
+
     const std::string& file_;
     csv::Dialect dialect_;
-    std::array<std::optional<std::size_t>, contact_keys.size()> places_{};
-    double length_ = 1.0;  // [m] unit of the gaps
+    std::map<std::string_view, Column> columns_;
     std::vector<csv::CsvField> fields_;
     base::Place place_;
 };

@@ -75,12 +75,16 @@ public:
         if (!named.node.empty() && !named.set.empty())
             throw problem("the contact has a node and a set", "each node of a set has a contact of its own");
         if (!named.set.empty()) return take_set(named);
-        if (!named.node.empty()) return take_node(named, named.node, named.name.empty() ? named.node : named.name, 1);
+        const std::string& name = named.said.name;
+        if (!named.node.empty()) return take_node(named, named.node, name.empty() ? named.node : name, 1);
         if (!named.against.empty()) throw problem("the contact is against a part, and at no node", "");
-        if (named.name.empty()) throw problem("this contact has no name", "one that is not at a node is called by it");
-        std::vector<double> second;
-        if (named.second_tangent) second = of_rows(*named.second_tangent, "second tangent");
-        add(named, named.name, {of_rows(named.normal, "normal"), of_rows(named.tangent, "tangent"), second}, 1);
+        if (name.empty()) throw problem("this contact has no name", "one that is not at a node is called by it");
+        OwnContact contact = named.said;
+        if (named.has("second_tangent"))
+            contact.second_tangent = of_rows(named.directions.at("second_tangent"), "second tangent");
+        contact.normal = of_rows(named.directions.at("normal"), "normal");
+        contact.tangent = of_rows(named.directions.at("tangent"), "tangent");
+        add(named, std::move(contact));
     }
 
     std::vector<OwnContact> finish() { return std::move(contacts_); }
@@ -139,14 +143,14 @@ private:
 
     void take_set(const NamedContact& named) {
         const std::vector<std::string> nodes = along_line(set_named(named.set).nodes);
-        const std::string opening = named.name.empty() ? "" : named.name + " ";
+        const std::string opening = named.said.name.empty() ? "" : named.said.name + " ";
         for (const std::string& node : nodes)
             take_node(named, node, opening + node, nodes.size());
     }
 
     void take_node(const NamedContact& named, const std::string& node, const std::string& name, std::size_t among) {
-        const Eigen::Vector3d normal = in_space(named.normal, "normal");
-        const Eigen::Vector3d tangent = in_space(named.tangent, "tangent");
+        const Eigen::Vector3d normal = in_space(named.directions.at("normal"), "normal");
+        const Eigen::Vector3d tangent = in_space(named.directions.at("tangent"), "tangent");
         if (std::abs(normal.dot(tangent)) > right_angle)
             throw problem("normal and tangent are not at right angles",
                           fmt::format("their cosine is {:.3g}", normal.dot(tangent)));
@@ -159,11 +163,16 @@ private:
             if (!other.empty()) put(rows, other, direction, -1.0);
             return rows;
         };
-        std::vector<double> second;
-        if (named.second_tangent) second = rows_along(second_direction(*named.second_tangent, normal, along));
-        add(named, name, {rows_along(normal), rows_along(along), std::move(second)}, among);
+        OwnContact contact = named.said;
+        contact.name = name;
+        contact.normal = rows_along(normal);
+        contact.tangent = rows_along(along);
+        if (named.has("second_tangent"))
+            contact.second_tangent = rows_along(second_direction(named.directions.at("second_tangent"), normal, along));
+        contact.preload_share /= static_cast<double>(among);
         if (const auto found = part_.positions.find(node); found != part_.positions.end())
-            contacts_.back().position = {found->second.x(), found->second.y(), found->second.z()};
+            contact.position = {found->second.x(), found->second.y(), found->second.z()};
+        add(named, std::move(contact));
     }
 
     // the one at right angles to both; what is written says which way it goes
@@ -259,43 +268,29 @@ private:
         return rows;
     }
 
-    struct Directions {
-        std::vector<double> normal;
-        std::vector<double> tangent;
-        std::vector<double> second_tangent;
-    };
-
-    void add(const NamedContact& named, const std::string& name, Directions rows, std::size_t among) {
-        if (!named.second_tangent && named.second_drive_share != 0.0)
-            throw problem("second_drive_share stands without a second_tangent", "the contact slips in one direction");
-        if (!are_independent({rows.normal, rows.tangent}))
+    void add(const NamedContact& named, OwnContact contact) {
+        for (const parameters::ContactField& field : parameters::contact_fields())
+            if (!field.only_beside.empty() && !named.has(field.only_beside) && !is_usual(contact, field))
+                throw problem(fmt::format("{} stands without a {}", field.key, field.only_beside),
+                              "the contact slips in one direction");
+        const std::string& name = contact.name;
+        if (!are_independent({contact.normal, contact.tangent}))
             throw problem(fmt::format("the tangent of contact \"{}\" is along its normal", name),
                           "what opens the gap would be slip", "Give it a tangent at right angles to the normal.");
-        if (named.second_tangent && !are_independent({rows.normal, rows.tangent, rows.second_tangent}))
+        if (named.has("second_tangent") && !are_independent({contact.normal, contact.tangent, contact.second_tangent}))
             throw problem(fmt::format("the second tangent of contact \"{}\" is made of its normal and tangent", name),
                           "a plane has two directions", "Give it one at right angles to both.");
         for (const OwnContact& other : contacts_) {
             if (other.name == name)
                 throw problem(fmt::format("two contacts are called \"{}\"", name), "", "Give each a name of its own.");
-            if (other.normal == rows.normal && other.tangent == rows.tangent)
+            if (other.normal == contact.normal && other.tangent == contact.tangent)
                 throw problem(fmt::format("contacts \"{}\" and \"{}\" are one", other.name, name),
                               "their normals and tangents are the same, and forces between them not determined");
         }
         if (contacts_.size() >= parameters::most_contacts)
             throw problem(fmt::format("there are more than {} contacts", parameters::most_contacts),
                           "each event solves for all that touch");
-        contacts_.push_back({.name = name,
-                             .normal = std::move(rows.normal),
-                             .tangent = std::move(rows.tangent),
-                             .second_tangent = std::move(rows.second_tangent),
-                             .initial_gap = named.initial_gap,
-                             .interface = named.interface,
-                             .static_friction = named.static_friction,
-                             .kinetic_friction = named.kinetic_friction,
-                             .preload_share = named.preload_share.value_or(0.0) / static_cast<double>(among),
-                             .drive_share = named.drive_share,
-                             .second_drive_share = named.second_drive_share,
-                             .position = named.position});
+        contacts_.push_back(std::move(contact));
     }
 
     const ElasticPart& part_;
@@ -304,6 +299,16 @@ private:
 };
 
 }  // namespace
+
+std::span<const std::string_view> contact_keys() {
+    static const std::vector<std::string_view> keys = [] {
+        std::vector<std::string_view> all{"node", "set", "against"};
+        for (const parameters::ContactField& field : parameters::contact_fields())
+            all.push_back(field.key);
+        return all;
+    }();
+    return keys;
+}
 
 std::vector<OwnContact> contacts_at(const ElasticPart& part, const std::vector<NamedContact>& named) {
     ContactMaker maker(part);
@@ -373,8 +378,8 @@ std::vector<OwnOutput> outputs_at(const reduction::Reduction& reduction, const s
 
 void share_preload(parameters::OwnStructure& own, const std::vector<NamedContact>& named, const base::Place& place) {
     std::vector<OwnContact>& contacts = own.contacts;
-    const bool has_shares = std::any_of(named.begin(), named.end(),
-                                        [](const NamedContact& each) { return each.preload_share.has_value(); });
+    const bool has_shares =
+        std::any_of(named.begin(), named.end(), [](const NamedContact& each) { return each.has("preload_share"); });
     const auto is_there = [](double value) { return value != 0.0; };
     const bool has_load = std::any_of(own.load.begin(), own.load.end(), is_there);
     const bool has_overlap = std::any_of(contacts.begin(), contacts.end(),

@@ -1,14 +1,20 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/reduction/part.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,42 +24,52 @@ namespace stridor::io {
 /// three numbers. Without a node it is of the rows: "y1 -y2" or a number for each.
 using NamedDirection = std::variant<std::string, std::vector<double>>;
 
-/// What may stand in a table of a contact, and as a column of a CSV.
-inline constexpr std::array<std::string_view, 15> contact_keys{"name",
-                                                               "node",
-                                                               "set",
-                                                               "against",
-                                                               "interface",
-                                                               "normal",
-                                                               "tangent",
-                                                               "second_tangent",
-                                                               "initial_gap",
-                                                               "static_friction",
-                                                               "kinetic_friction",
-                                                               "preload_share",
-                                                               "drive_share",
-                                                               "second_drive_share",
-                                                               "position"};
+/// What may stand in a table of a contact, and as a column of a CSV: where it is, and its fields
+/// (`parameters::contact_fields`).
+std::span<const std::string_view> contact_keys();
 
 /// What a file says of a contact, or of one at each node of a set.
 struct NamedContact {
-    std::string name{};     // empty: that of its node
-    std::string node{};     // one node, or
-    std::string set{};      // all of a set; both empty: directions are of rows
-    std::string against{};  // node or set of the other part; empty: a surface that moves
-    std::string interface {};
-    NamedDirection normal{};
-    NamedDirection tangent{};
-    std::optional<NamedDirection> second_tangent{};   // of a contact that slips in a plane
-    double initial_gap = 0.0;                         // [m]
-    std::optional<double> static_friction{};          // [1]
-    std::optional<double> kinetic_friction{};         // [1]
-    std::optional<double> preload_share{};            // [1] of all its nodes together
-    double drive_share = 1.0;                         // [1]
-    double second_drive_share = 0.0;                  // [1] along the second tangent
-    std::optional<std::array<double, 3>> position{};  // [m] of one without a node; else its node's
-    base::Place place{};                              // where it stands
+    parameters::OwnContact said{};  // without directions; no name: that of its node; its share is of all nodes together
+    std::string node{};             // one node, or
+    std::string set{};              // all of a set; both empty: directions are of rows
+    std::string against{};          // node or set of the other part; empty: a surface that moves
+    std::map<std::string_view, NamedDirection> directions{};  // by key of their fields
+    std::vector<std::string_view> keys{};                     // of the fields that it says
+    base::Place place{};                                      // where it stands
+
+    bool has(std::string_view key) const { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
 };
+
+/// Reads a contact field by field. A source has for each kind of value a function that takes the field and gives the
+/// value, or nothing where it does not stand there: `text`, `number`, `direction`, `position`.
+template <typename Source>
+NamedContact named_contact(const Source& source, const base::Place& place) {
+    NamedContact named{.node = source.text("node").value_or(""),
+                       .set = source.text("set").value_or(""),
+                       .against = source.text("against").value_or(""),
+                       .place = place};
+    for (const parameters::ContactField& field : parameters::contact_fields()) {
+        const auto take = [&](auto& into, auto value) {
+            if (!value) return;
+            named.keys.push_back(field.key);
+            into = std::move(*value);
+        };
+        const auto read = [&](auto& into) {
+            using Value = std::decay_t<decltype(into)>;
+            if constexpr (std::is_same_v<Value, std::string>)
+                take(into, source.text(field.key));
+            else if constexpr (std::is_same_v<Value, std::vector<double>>)
+                take(named.directions[field.key], source.direction(field));
+            else if constexpr (std::is_same_v<Value, std::optional<std::array<double, 3>>>)
+                take(into, source.position(field));
+            else
+                take(into, source.number(field));
+        };
+        std::visit([&](auto member) { read(named.said.*member); }, field.member);
+    }
+    return named;
+}
 
 /// Contacts at the rows of a part. Those of a set stand in the order of their places along its longest side, and are
 /// paired with the nearest node of the set `against`.

@@ -20,6 +20,7 @@ namespace stridor::io {
 
 namespace {
 
+using parameters::ContactField;
 using parameters::OwnStructure;
 using reduction::ElasticPart;
 
@@ -103,7 +104,7 @@ void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
         if (point == std::string_view::npos) continue;
         const std::string_view name = inner.substr(point + 1);
         if (is_of_contacts)
-            refuse_unknown(entry, name, contact_keys, complaints);
+            refuse_unknown(entry, name, contact_keys(), complaints);
         else
             refuse_unknown(entry, name, output_keys, complaints);
     }
@@ -116,31 +117,26 @@ NamedDirection direction_in(const TomlSection& table, std::string_view key) {
     return table.numbers(key);
 }
 
-std::optional<std::array<double, 3>> position_in(const TomlSection& table) {
-    if (!table.has("position")) return std::nullopt;
-    const std::vector<double> numbers = table.numbers("position", 3);
-    return std::array{numbers[0], numbers[1], numbers[2]};
-}
+/// What a [[structure.contact]] table says, for `named_contact`.
+struct TomlContact {
+    const TomlSection& table;
 
-NamedContact named_contact_in(const TomlSection& table) {
-    return {.name = table.text_or("name", ""),
-            .node = table.text_or("node", ""),
-            .set = table.text_or("set", ""),
-            .against = table.text_or("against", ""),
-            .interface = table.text_or("interface", ""),
-            .normal = direction_in(table, "normal"),
-            .tangent = direction_in(table, "tangent"),
-            .second_tangent =
-                table.has("second_tangent") ? std::optional(direction_in(table, "second_tangent")) : std::nullopt,
-            .initial_gap = table.find_quantity("initial_gap", "m", Bound::any).value_or(0.0),
-            .static_friction = table.find_quantity("static_friction", "1", Bound::not_negative),
-            .kinetic_friction = table.find_quantity("kinetic_friction", "1", Bound::not_negative),
-            .preload_share = table.find_quantity("preload_share", "1", Bound::not_negative),
-            .drive_share = table.find_quantity("drive_share", "1", Bound::any).value_or(1.0),
-            .second_drive_share = table.find_quantity("second_drive_share", "1", Bound::any).value_or(0.0),
-            .position = position_in(table),
-            .place = table.place()};
-}
+    std::optional<std::string> text(std::string_view key) const {
+        return table.has(key) ? std::optional(table.text(key)) : std::nullopt;
+    }
+    std::optional<double> number(const ContactField& field) const {
+        return table.find_quantity(field.key, field.unit, field.range.low < 0.0 ? Bound::any : Bound::not_negative);
+    }
+    std::optional<NamedDirection> direction(const ContactField& field) const {
+        const bool may_lack = field.need == ContactField::Need::optional;
+        return may_lack && !table.has(field.key) ? std::nullopt : std::optional(direction_in(table, field.key));
+    }
+    std::optional<std::array<double, 3>> position(const ContactField& field) const {
+        if (!table.has(field.key)) return std::nullopt;
+        const std::vector<double> numbers = table.numbers(field.key, 3);
+        return std::array{numbers[0], numbers[1], numbers[2]};
+    }
+};
 
 std::vector<NamedContact> named_contacts(const TomlDocument& document, const TomlSection& section) {
     std::vector<NamedContact> named;
@@ -151,7 +147,7 @@ std::vector<NamedContact> named_contacts(const TomlDocument& document, const Tom
     for (int number = 1;; ++number) {
         const TomlSection table(document, std::string(contact_opening) + std::to_string(number) + ".");
         if (document.find(std::string(contact_opening) + std::to_string(number)) == nullptr) break;
-        named.push_back(named_contact_in(table));
+        named.push_back(named_contact(TomlContact{table}, table.place()));
     }
     if (named.empty())
         throw Error(ErrorKind::input,
@@ -276,7 +272,7 @@ std::span<const std::string_view> structure_keys(StructureKeys kind) {
         case StructureKeys::texts:
             return text_keys;
         case StructureKeys::of_contact:
-            return contact_keys;
+            return contact_keys();
         case StructureKeys::of_output:
             return output_keys;
     }
