@@ -104,12 +104,12 @@ function together({ rates, leading, differs, contacts: all }: InterfaceResult): 
     "p",
     { class: "muted" },
     `${all.length} contacts as a whole: all stick ${percent(rates.sticks)}, some slip ${percent(rates.partly)}, ` +
-      `all slip ${percent(rates.slides)}, open ${percent(rates.open)} of the time; ${leading} leads` +
+      `all slip ${percent(rates.slides)}, all separated ${percent(rates.open)} of the time; ${leading} leads` +
       (differs ? ", and their verdicts differ" : ""),
   );
 }
 
-const columns = ["contact", "verdict", "slip", "stick", "open", "frequency", "level", "load", "friction"];
+const columns = ["contact", "verdict", "slip", "stick", "separation", "frequency", "level", "load", "friction"];
 
 /** Each contact by itself, the worst first. */
 function contacts(result: PhaseResult): HTMLElement {

@@ -19,7 +19,7 @@ export class Listen implements ViewPart {
   private readonly hint_ = h(
     "p",
     { class: "note" },
-    "Keep this cell as B, then choose another one on the chart: A follows, B stays.",
+    "Keep this cell as B, then choose another one on the chart: A is always the chosen cell.",
   );
   private readonly flip_: HTMLButtonElement;
   private readonly recordings_: HTMLSelectElement;

@@ -65,7 +65,7 @@ export class Mechanism {
         clock.slow = Number(value);
         this.ownSpeed_ = false;
       },
-      { id: "speed", title: "How much slower than in truth" },
+      { id: "speed", title: "How much slower than in reality" },
     );
     this.contact_ = select("Contact", [], (value) => shown_.choose(Number(value)), {
       id: "contact",
@@ -216,7 +216,7 @@ export class Mechanism {
       `V = ${quantity(moment.at("surface_velocity"), "m/s", 3)}`,
       `N = ${quantity(moment.at("normal_force"), "N", 3)}`,
       `T = ${quantity(moment.at("friction_force"), "N", 3)}`,
-      `drawn × ${magnified}`,
+      `motion enlarged ${magnified} times`,
     ];
     setText(this.readout_, inRow(told));
     if (this.clock.playing) return;

@@ -50,7 +50,7 @@ export class Quiet implements ViewPart {
       h(
         "div",
         { class: "wide" },
-        h("h3", {}, "Margins along each parameter, the one that buys most first"),
+        h("h3", {}, "How far each parameter is from another verdict, the nearest first"),
         this.asked_.note,
         this.margins_,
       ),
@@ -162,7 +162,7 @@ export class Quiet implements ViewPart {
         h("span", { class: "muted" }, " back undoes it"),
       );
     } else if (!quietNow) {
-      lines.push(h("p", {}, "None was found within the ranges beside the bars."));
+      lines.push(h("p", {}, "No change within the ranges beside the bars was verified to be quiet."));
     }
     const as = quietNow ? "noisy" : "quiet";
     const { nearest } = advice;
@@ -170,7 +170,7 @@ export class Quiet implements ViewPart {
       h(
         "p",
         { id: "nearest" },
-        `As a whole: ${nearest ? `nearest ${as} design ${nearestText(nearest)}` : `no ${as} design found`}`,
+        `All parameters together: ${nearest ? `the nearest ${as} design is ${nearestText(nearest)}` : `no ${as} design was found`}`,
       ),
     );
     this.change_.dataset.preset = design.preset;

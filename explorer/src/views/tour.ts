@@ -148,7 +148,7 @@ export class Tour {
     setText(this.title_, "That was the tour");
     setText(
       this.text_,
-      `You foretold ${this.foretold_} of ${questions.length}. A noise may need no stick at all, and the way that a ` +
+      `You predicted ${this.foretold_} of ${questions.length}. A noise may need no stick at all, and the way that a ` +
         "joint leans decides which way it sounds. From here: click anywhere on the chart, or ask Keep quiet for the " +
         "smallest change that silences a design.",
     );

@@ -94,7 +94,7 @@ export class VerdictBar {
         "onclick": () => this.choose_(direction),
       },
       swatch,
-      h("span", { class: "phase" }, result.phase),
+      h("span", { class: "phase" }, result.phase === "all" ? "" : result.phase),
       h("strong", {}, wordOf(verdict)),
       h("span", { class: "detail" }, detail(result, what)),
       rates(result),

@@ -116,7 +116,7 @@ test("what the tour does by itself is judged by the same model", async () => {
 
 test("at its end it counts what was foretold, and leaving brings back what was there before", async () => {
   await page.locator("#tour-next").click();
-  assert.match(await page.locator("#tour-text").innerText(), /You foretold \d of 5/);
+  assert.match(await page.locator("#tour-text").innerText(), /You predicted \d of 5/);
   await page.keyboard.press("Escape");
   await page.waitForSelector("#tour", { state: "hidden" });
   assert.match(page.url(), /preset=quiet&contact\.preload=7/);
