@@ -3,7 +3,7 @@
 // "kept" writes a store first and exports from it; "invented" makes each cell when it is looked at, for more cells than
 // there is room for.
 
-#include "stridor/io/chart/chart_tables.hpp"
+#include "stridor/io/chart/chart_exports.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "support/scratch_folder.hpp"

@@ -2,9 +2,9 @@
 //
 //     merge_benchmark [CELLS [SHARES [FOLDER]]]        1e6 cells, 16 shares, a folder of its own where nothing is named
 
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "stridor/sweep/store/merge.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

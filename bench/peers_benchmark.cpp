@@ -8,7 +8,7 @@
 #include "peers/agreement.hpp"
 #include "peers/peer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/oracles/quad_reference.hpp"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // Sweeps: cells per second over threads, and the memory of a sweep over the simulated time.
 
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/store.hpp"
 

@@ -3,7 +3,7 @@
 //
 //     writer_benchmark [CELLS [REFINE [FOLDER]]]       1e6 cells, refine 0, a folder of its own where nothing is named
 
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "stridor/sweep/study_work.hpp"

@@ -4,8 +4,8 @@
 #include "stridor/base/check.hpp"
 #include "stridor/cluster/hand.hpp"
 #include "stridor/cluster/messages.hpp"
+#include "stridor/cluster/post.hpp"
 #include "stridor/cluster/rank_crew.hpp"
-#include "stridor/cluster/timing.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/crew/thread_crew.hpp"
 

@@ -3,7 +3,7 @@
 #include "arguments.hpp"
 #include "help.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/threads.hpp"
+#include "stridor/base/process.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/console/terminal.hpp"
 

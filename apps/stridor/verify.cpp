@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/results/check_text.hpp"
+#include "stridor/console/results/evaluation_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/verification/check_groups.hpp"
+#include "stridor/verification/check.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
-#include "stridor/record/contact_history.hpp"
+#include "stridor/record/tally.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "bindings.hpp"
 #include "handles.hpp"
-#include "stridor/analysis/evidence_figures.hpp"
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
@@ -13,7 +13,7 @@
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/sweep/cell_figures.hpp"
+#include "stridor/sweep/cell.hpp"
 
 #include <pybind11/stl.h>
 

@@ -2,13 +2,13 @@
 
 #include "bindings.hpp"
 #include "handles.hpp"
-#include "stridor/analysis/evidence_figures.hpp"
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/failure.hpp"
-#include "stridor/io/simulation/dof_names.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/io/simulation/trace_texts.hpp"
-#include "stridor/record/columns.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
+#include "stridor/record/trace.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>

@@ -1,6 +1,6 @@
 #include "work.hpp"
 
-#include "stridor/base/threads.hpp"
+#include "stridor/base/process.hpp"
 
 #include <sys/syscall.h>
 #include <unistd.h>

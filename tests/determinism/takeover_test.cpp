@@ -8,7 +8,7 @@
 #include "stridor/storage/owner_file.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/merge.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "support/counter_random.hpp"
 #include "support/process.hpp"
 #include "support/wait.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/counter_random.hpp"
 #include "support/runs.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 #include "support/counter_random.hpp"
 #include "support/process.hpp"
 #include "unit/noise_library/library_folder.hpp"

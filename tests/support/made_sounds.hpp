@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/signal/perturb.hpp"
-#include "stridor/signal/signal.hpp"
+#include "stridor/signal/source.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/record/contact_history.hpp"
+#include "stridor/record/tally.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,8 @@
-// The mass on a belt by beta_2 (verification/belt.hpp has the closed form). With damping zeta it leaves the stick at
-// D - 2 zeta V/w0 above the sliding equilibrium; stick-slip survives if the damped oscillation from there reaches V
-// again.
+// The mass on a belt by beta_2 (verification/single_mass.hpp has the closed form). With damping zeta it leaves the
+// stick at D - 2 zeta V/w0 above the sliding equilibrium; stick-slip survives if the damped oscillation from there
+// reaches V again.
 
-#include "stridor/verification/belt.hpp"
-
+#include "stridor/verification/single_mass.hpp"
 #include "support/belt_run.hpp"
 #include "support/effort.hpp"
 #include "support/periods.hpp"

@@ -1,9 +1,8 @@
 // Table 1's system at constant velocity, where its motions are periodic and known to all digits.
 
-#include "stridor/verification/constant_drive.hpp"
-
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/verification/table_1.hpp"
 #include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/oracles/event_driven.hpp"

@@ -1,7 +1,6 @@
-// Den Hartog's oscillator by beta_2 (verification/den_hartog.hpp has the closed form).
+// Den Hartog's oscillator by beta_2 (verification/single_mass.hpp has the closed form).
 
-#include "stridor/verification/den_hartog.hpp"
-
+#include "stridor/verification/single_mass.hpp"
 #include "support/belt_run.hpp"
 #include "support/effort.hpp"
 

@@ -3,9 +3,7 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
-#include "stridor/verification/belt.hpp"
-#include "stridor/verification/damped_slip.hpp"
-#include "stridor/verification/den_hartog.hpp"
+#include "stridor/verification/single_mass.hpp"
 #include "support/belt_run.hpp"
 #include "support/periods.hpp"
 

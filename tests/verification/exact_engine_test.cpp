@@ -3,7 +3,7 @@
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/verification/constant_drive.hpp"
+#include "stridor/verification/table_1.hpp"
 #include "support/oracles/event_driven.hpp"
 #include "support/periods.hpp"
 

@@ -1,7 +1,7 @@
 // Order and numerical damping of the beta_2 scheme where nothing but the scheme acts: pure slip, no change of state.
 
 #include "stridor/integration/simulate.hpp"
-#include "stridor/verification/damped_slip.hpp"
+#include "stridor/verification/single_mass.hpp"
 #include "support/belt_run.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "support/oracles/quad_reference.hpp"
 
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/verification/constant_drive.hpp"
+#include "stridor/verification/table_1.hpp"
 #include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/oracles/event_driven.hpp"

@@ -5,7 +5,7 @@
 #include "sounds/compare.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/hearing/heard_modes.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/own_structure/toml_structure.hpp"
@@ -14,14 +14,12 @@
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
 #include "stridor/pictures/many_contacts.hpp"
-#include "stridor/pictures/modal_spectrum.hpp"
-#include "stridor/pictures/mode_shapes.hpp"
+#include "stridor/pictures/modes.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/picture_files.hpp"
-#include "stridor/pictures/rate_map.hpp"
 #include "stridor/pictures/time_history.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -10,10 +10,10 @@
 #include "stridor/io/advice/asked_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/report/design_report.hpp"
-#include "stridor/report/pdf.hpp"
-#include "stridor/report/report_chart.hpp"
+#include "stridor/report/design_results.hpp"
+#include "stridor/report/html.hpp"
 #include "stridor/report/timed_parts.hpp"
 
 #include <CLI/CLI.hpp>

@@ -8,15 +8,14 @@
 #include "stridor/console/results/simulation_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/io/simulation/motion_csv.hpp"
-#include "stridor/io/simulation/motion_netcdf.hpp"
-#include "stridor/io/simulation/trace_texts.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
-#include "stridor/storage/file_ending.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -6,9 +6,9 @@
 #include "stridor/base/text.hpp"
 #include "stridor/console/results/stability_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/io/chart/scan_range.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/io/simulation/stability_csv.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/pictures/picture_files.hpp"
 
 #include <CLI/CLI.hpp>

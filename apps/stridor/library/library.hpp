@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
+#include "stridor/noise_library/add_recordings.hpp"
 #include "stridor/noise_library/library.hpp"
-#include "stridor/noise_library/recording.hpp"
 
 #include <map>
 #include <string>

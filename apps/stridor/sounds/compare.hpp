@@ -1,10 +1,53 @@
 #pragma once
 
+#include "library/library.hpp"
+#include "stridor/classification/compared_sound.hpp"
+#include "stridor/hearing/sound_comparison.hpp"
+#include "stridor/io/sound/named_sound.hpp"
+
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
 
 namespace stridor::app {
+
+// What the commands that lay sounds side by side share.
+
+/// Which motion of the model stands for its sound.
+struct MotionOptions {
+    std::string of = "joint";
+    std::string quantity = "velocity";
+};
+
+/// Adds `--of` and `--quantity`.
+void add_motion_options(CLI::App& command, MotionOptions& options);
+
+hearing::AskedMotion asked_motion(const MotionOptions& options);
+
+struct CompareOptions {
+    std::vector<std::string> sounds;  // recordings, cases, cells of charts, entries of the library
+    std::vector<std::string> labels;
+    LibraryOption library;
+    MotionOptions motion;
+    std::string detail = "50 ms";
+};
+
+/// Adds the sounds, `--label`, `--library`, and the motion's options.
+void add_compare_options(CLI::App& command, CompareOptions& options);
+
+/// Where the sounds are looked for; what is noteworthy is said on stderr.
+io::SoundLookup lookup_in(const LibraryOption& library);
+
+/// Opens, simulates, brings to one rate, analyses and judges the sounds; says on stderr what is noteworthy.
+///
+/// Throws `Error` (input) for fewer than 2 or more than 8, or for what no sound can be made of.
+std::vector<classification::ComparedSound> load_sounds(const CompareOptions& options);
+
+/// `hearing::compared`; while a case is simulated, Ctrl-C stops it.
+classification::ComparedSound load_sound(const hearing::NamedSound& sound, const hearing::ComparisonSettings& settings);
 
 /// `stridor figure compare`.
 void add_figure_compare(CLI::App& figure);

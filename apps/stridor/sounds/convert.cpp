@@ -1,9 +1,8 @@
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "input_options.hpp"
-#include "stridor/console/results/signal_text.hpp"
+#include "sounds/sound_options.hpp"
+#include "stridor/console/results/sound_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/io/sound/signal_output.hpp"
 #include "stridor/io/sound/signal_report.hpp"
 #include "stridor/recordings/open_signal.hpp"
 

@@ -4,14 +4,13 @@
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/evaluation_text.hpp"
-#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/expectations.hpp"
 #include "stridor/io/sound/hearing_report.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/storage/command_cache.hpp"
+#include "stridor/storage/kept_results.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

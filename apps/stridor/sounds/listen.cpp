@@ -3,15 +3,14 @@
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/player.hpp"
-#include "stridor/console/results/listening_text.hpp"
-#include "stridor/console/sound_progress.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/results/sound_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/sound/json_listen.hpp"
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
-#include "stridor/storage/temporary.hpp"
+#include "stridor/storage/new_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

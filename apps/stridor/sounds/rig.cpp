@@ -1,10 +1,76 @@
 #include "sounds/rig.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
+#include "interrupt.hpp"
+#include "library/library.hpp"
+#include "stridor/console/results/rig_text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/library/library_texts.hpp"
+#include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/noise_library/sensitivity.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/sensitivity.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
 
 namespace stridor::app {
+
+namespace {
+
+struct FrictionOptions {
+    io::FrictionTexts texts;
+    std::string into;
+    bool json = false;
+};
+
+void friction(const FrictionOptions& options) {
+    const io::MeasuredFriction measured = io::measured_friction(options.texts, console::say_note);
+    const analysis::FrictionTrace& trace = measured.trace;
+    if (!options.into.empty()) {
+        console::print_data(io::case_with_friction(io::read_case(load_source(options.into)), measured));
+        console::say(fmt::format("static {}, kinetic {}", console::coefficient_text(trace.all.static_friction),
+                                 console::coefficient_text(trace.all.kinetic_friction)));
+        return;
+    }
+    console::print(options.json ? io::friction_json(measured.test, trace) + "\n"
+                                : console::friction_text(measured.test, trace));
+}
+
+using noise_library::Sensitivity;
+
+struct SensitivityCommand {
+    LibraryOption library;
+    SelectionOptions selection;
+    std::string over = "preload";
+    std::size_t bins = 0;
+    std::string by = "category";
+    std::string figure;
+    pictures::Sheet sheet;
+    bool records = false;
+    bool json = false;
+};
+
+void run_sensitivity(const SensitivityCommand& command) {
+    noise_library::Library library =
+        noise_library::open_library(command.library.file, noise_library::Access::read, waiting());
+    noise_library::SensitivityOptions options;
+    options.quantity = command.over;
+    options.bins = command.bins;
+    options.judge = command.by == "category" ? noise_library::Judge::stridor : noise_library::Judge::engineer;
+    const Sensitivity result = noise_library::sensitivity_in(library, query_of(command.selection), options);
+    if (!command.figure.empty()) pictures::draw(pictures::sensitivity(result), command.figure, command.sheet);
+    console::print(command.json ? io::sensitivity_json(library.file(), result) + "\n"
+                                : console::sensitivity_text(result, command.records ? console::SensitivityRows::records
+                                                                                    : console::SensitivityRows::bins));
+}
+
+}  // namespace
 
 void add_rig(CLI::App& program) {
     CLI::App* rig =
@@ -12,6 +78,75 @@ void add_rig(CLI::App& program) {
     rig->require_subcommand(1);
     add_rig_friction(*rig);
     add_rig_sensitivity(*rig);
+}
+
+void add_rig_friction(CLI::App& rig) {
+    auto options = std::make_shared<FrictionOptions>();
+    CLI::App* command =
+        rig.add_subcommand("friction", "Friction coefficients and force drops of a measured friction force.");
+    command->add_option("file", options->texts.file, "measurement: CSV, UFF58 or WAV; - reads stdin")->required();
+    command->add_option("--preload", options->texts.preload, "force that presses the parts together")
+        ->type_name("FORCE")
+        ->required();
+    command
+        ->add_option("--channel", options->texts.channel,
+                     "the friction force: name or number (default: the only one in N)")
+        ->type_name("NAME|NUMBER");
+    command
+        ->add_option("--velocity-channel", options->texts.velocity_channel,
+                     "the imposed velocity (default: the only one in m/s)")
+        ->type_name("NAME|NUMBER");
+    command
+        ->add_option("--normal-channel", options->texts.normal_channel,
+                     "the pressing force (default: the one that says so, else the preload)")
+        ->type_name("NAME|NUMBER");
+    command->add_option("--velocity", options->texts.velocity, "nominal velocity of the test")->type_name("VELOCITY");
+    command->add_option("--full-scale", options->texts.full_scale, "what 1 in an uncalibrated file stands for")
+        ->type_name("VALUE");
+    command->add_option("--least-drop", options->texts.least_drop, "smallest drop, as a share of the force's level")
+        ->check(CLI::Range(1e-4, 1.0))
+        ->capture_default_str();
+    command->add_option("--longest-drop", options->texts.longest_drop, "a fall that takes longer is drift")
+        ->type_name("TIME")
+        ->capture_default_str();
+    CLI::Option* into =
+        command->add_option("--into", options->into, "print this case with the coefficients put in")->type_name("CASE");
+    add_json_option(*command, options->json, "stridor.friction/1")->excludes(into);
+    command->footer(
+        "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
+        "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"
+        "  stridor rig friction seal.csv --preload \"10 N\" --into seal.toml > measured.toml");
+    command->callback([options] { friction(*options); });
+}
+
+void add_rig_sensitivity(CLI::App& rig) {
+    auto options = std::make_shared<SensitivityCommand>();
+    CLI::App* command = rig.add_subcommand(
+        "sensitivity", "How category, level and dominant frequency move over a quantity across records of a library.");
+    command
+        ->add_option("--over", options->over,
+                     "preload, velocity, temperature, humidity, or any other number of the records")
+        ->type_name("FIELD")
+        ->capture_default_str();
+    add_selection_options(*command, options->selection);
+    command->add_option("--bins", options->bins, "number of bins (default: a bin per value up to 10 values, else 6)")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--by", options->by, "whose word counts: category (Stridor's) or denomination (the engineer's)")
+        ->check(one_of({"category", "denomination"}))
+        ->capture_default_str();
+    command->add_flag("--records", options->records, "a row per record instead of bins");
+    CLI::Option* figure =
+        command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
+            ->type_name("FILE")
+            ->check(in_a_folder());
+    add_sheet_options(*command, options->sheet, figure);
+    add_json_option(*command, options->json, "stridor.sensitivity/1");
+    add_library_option(*command, options->library);
+    command->footer(
+        "Level and dominant frequency are the figures `level` and `dominant_frequency` of an entry.\n"
+        "Examples:\n  stridor rig sensitivity --over preload --where \"recorded = rig\" --figure preload.png\n"
+        "  stridor rig sensitivity --over temperature --by denomination --records");
+    command->callback([options] { run_sensitivity(*options); });
 }
 
 }  // namespace stridor::app

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "input_options.hpp"
 #include "stridor/io/sound/json_sound.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -13,6 +13,23 @@ class App;
 }
 
 namespace stridor::app {
+
+/// What the user of a command knows better than the recording.
+struct InputOptions {
+    std::vector<std::string> full_scales;  // "2 Pa"
+    std::string channel;                   // name or number from 1; empty: all
+    std::size_t dataset = 0;               // of a UFF file, from 1; 0: all
+    std::string rate;                      // of a CSV table
+};
+
+/// Adds --full-scale.
+void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_scales);
+
+/// Adds --full-scale, --channel, --dataset and --rate.
+void add_input_options(CLI::App& command, InputOptions& options);
+
+/// Throws `Error` (input) for what is no full scale or no rate.
+recordings::OpenOptions open_options(const InputOptions& options);
 
 /// What every command that listens to a recording takes.
 struct SoundOptions {

@@ -2,7 +2,6 @@
 
 #include "stridor/advice/headline.hpp"
 #include "stridor/advice/margins.hpp"
-#include "stridor/advice/neighbourhood.hpp"
 #include "stridor/advice/quieting.hpp"
 #include "stridor/advice/tolerance.hpp"
 #include "stridor/crew/thread_crew.hpp"

@@ -4,11 +4,11 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
+#include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>
 #include <array>

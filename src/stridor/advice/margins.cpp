@@ -1,6 +1,6 @@
 #include "stridor/advice/margins.hpp"
 
-#include "stridor/advice/neighbourhood.hpp"
+#include "stridor/advice/headline.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/case_key.hpp"

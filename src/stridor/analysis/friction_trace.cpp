@@ -1,9 +1,9 @@
 #include "stridor/analysis/friction_trace.hpp"
 
 #include "stridor/analysis/friction_falls.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/base/whole.hpp"
 
 #include <algorithm>
 #include <cmath>

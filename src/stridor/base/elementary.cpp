@@ -1,16 +1,15 @@
-// Elementary functions with fixed bits.
-//
-// sine, cosine: with turns = q/4 + r, |r| <= 1/8, and x = 2 pi r, |x| <= pi/4, Taylor series to x^17 and x^18 have a
-// truncation error below (pi/4)^19/19! = 8e-20 and (pi/4)^20/20! = 3e-21; q selects and signs the pair.
-// logarithm: x = m 2^e with m in [1/sqrt 2, sqrt 2), s = (m-1)/(m+1), ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.1716,
-// truncated after s^21/21: relative error s^22/23 < 1e-18. power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
-
 #include "stridor/base/elementary.hpp"
 
 #include "stridor/base/check.hpp"
 
 #include <cmath>
 
+// Elementary functions with fixed bits.
+//
+// sine, cosine: with turns = q/4 + r, |r| <= 1/8, and x = 2 pi r, |x| <= pi/4, Taylor series to x^17 and x^18 have a
+// truncation error below (pi/4)^19/19! = 8e-20 and (pi/4)^20/20! = 3e-21; q selects and signs the pair.
+// logarithm: x = m 2^e with m in [1/sqrt 2, sqrt 2), s = (m-1)/(m+1), ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.1716,
+// truncated after s^21/21: relative error s^22/23 < 1e-18. power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
 namespace stridor::base {
 
 namespace {

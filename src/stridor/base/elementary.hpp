@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <numbers>
 
 namespace stridor::base {
@@ -31,5 +32,19 @@ double power_of_2(double x);
 
 /// 20 log10(ratio), the level of a positive amplitude ratio [dB].
 double decibels(double ratio);
+
+/// Returns the whole part of a value, from 0 to `most`, and 0 for what is no number.
+///
+/// Indices and lengths that are computed from samples or from what a user typed go through here: the conversion of a
+/// double beyond the whole numbers, or of NaN, has no meaning in C++.
+constexpr std::size_t whole_below(double value, std::size_t most) {
+    if (!(value > 0.0)) return 0;
+    return value < static_cast<double>(most) ? static_cast<std::size_t>(value) : most;
+}
+
+/// Returns the whole number nearest to a value, half a step upwards; from 0 to `most`, and 0 for what is no number.
+constexpr std::size_t whole_near(double value, std::size_t most) {
+    return whole_below(value + 0.5, most);
+}
 
 }  // namespace stridor::base

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,5 +12,28 @@ std::uint64_t fnv1a(std::string_view bytes);
 
 /// The hash as 16 hexadecimal digits.
 std::string hash_text(std::string_view bytes);
+
+/// The SHA-256 digest (FIPS 180-4, 2015) of bytes that arrive in pieces.
+///
+/// Names content: nobody knows two different files with one digest, which cannot be said of `fnv1a`.
+class Sha256 {
+public:
+    /// Adds the next piece.
+    void add(std::string_view bytes);
+
+    /// The digest as 64 lower-case hexadecimal digits; nothing may be added afterwards.
+    std::string text();
+
+private:
+    void compress(const unsigned char* block);
+
+    std::array<std::uint32_t, 8> state_{0x6a09e667U, 0xbb67ae85U, 0x3c6ef372U, 0xa54ff53aU,
+                                        0x510e527fU, 0x9b05688cU, 0x1f83d9abU, 0x5be0cd19U};
+    std::array<unsigned char, 64> block_{};
+    std::uint64_t length_ = 0;  // [bytes] added so far
+};
+
+/// The digest of bytes at hand.
+std::string sha256_text(std::string_view bytes);
 
 }  // namespace stridor::base

@@ -64,4 +64,7 @@ private:
     bool is_good_ = true;
 };
 
+/// Base64 (RFC 4648, section 4).
+std::string base64(std::string_view bytes);
+
 }  // namespace stridor::base

@@ -1,7 +1,6 @@
 #include "stridor/base/process.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/base/error.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -168,6 +167,12 @@ bool is_on_path(const std::string& program) {
         if (!folder.empty() && ::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
     }
     return false;
+}
+
+Error no_thread(const std::system_error& failure) {
+    return {ErrorKind::io,
+            {"the system starts no more threads", failure.code().message(),
+             "Choose fewer --threads, or raise the limit of this user or container (ulimit -u)."}};
 }
 
 }  // namespace stridor::base

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
+
 #include <chrono>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace stridor::base {
@@ -23,5 +26,8 @@ ProcessResult run_process(const std::vector<std::string>& command,
 
 /// Is there an executable file of this name on PATH?
 bool is_on_path(const std::string& program);
+
+/// What to throw (io) where the system starts no more threads.
+Error no_thread(const std::system_error& failure);
 
 }  // namespace stridor::base

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "stridor/classification/likeness.hpp"
-#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/record/contact_history.hpp"
-#include "stridor/signal/signal.hpp"
+#include "stridor/record/tally.hpp"
+#include "stridor/signal/source.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <span>

@@ -1,7 +1,6 @@
 #include "stridor/classification/contact_rules.hpp"
 
 #include "stridor/classification/interface_rules.hpp"
-#include "stridor/classification/locking.hpp"
 
 #include <fmt/format.h>
 

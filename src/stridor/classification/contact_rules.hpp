@@ -16,7 +16,7 @@ enum class Creak { possible, impossible };
 /// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
 ///
 ///     proven to stick for ever, or to slide      none    whatever came before does not come again; what sticks and is
-///                                                        pressed harder and harder locks (locking.hpp)
+///                                                        pressed harder and harder locks (interface_rules.hpp)
 ///     slip share >= quiet_slip                   none    it slides: nothing alternates. Where such sliding grows:
 ///                                                        undecided if that is all it does, else by what alternates.
 ///                                                        Where it ends again and again: by what alternates

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/classification/category.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/sound/passages.hpp"
 
 #include <array>

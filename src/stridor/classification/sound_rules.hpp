@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/sound/features.hpp"
 

@@ -1,6 +1,6 @@
 #include "stridor/cluster/hand.hpp"
 
-#include "stridor/cluster/hello.hpp"
+#include "stridor/cluster/messages.hpp"
 
 #include <chrono>
 #include <cstdint>

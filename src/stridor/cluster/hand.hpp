@@ -2,7 +2,6 @@
 
 #include "stridor/cluster/messages.hpp"
 #include "stridor/cluster/post.hpp"
-#include "stridor/cluster/timing.hpp"
 #include "stridor/crew/crew.hpp"
 
 #include <cstddef>

@@ -1,6 +1,11 @@
 #include "stridor/cluster/messages.hpp"
 
+#include "stridor/base/hash.hpp"
 #include "stridor/base/packed_bytes.hpp"
+#include "stridor/base/version.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 
@@ -122,6 +127,10 @@ constexpr std::array readers{
     &failure_in, &end_in,   &nothing_in<Bye>};
 static_assert(readers.size() == std::variant_size_v<Message>);
 
+std::string build() {
+    return fmt::format("stridor {} ({})", base::version(), base::commit());
+}
+
 }  // namespace
 
 std::string pack(const Message& message) {
@@ -139,6 +148,28 @@ Message unpack(std::string_view bytes) {
         throw Error(ErrorKind::io, {"a message between two ranks is damaged", "its bytes are none of this program's",
                                     "Is the same program started everywhere?"});
     return message;
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    if (gethostname(name.data(), name.size() - 1) != 0) return "a machine without a name";
+    return name.data();
+}
+
+Begin begin_of(const crew::Work& work) {
+    return {build(), base::sha256_text(work.text), host_name()};
+}
+
+Failure mismatch(const Begin& begun, int rank) {
+    const std::string where = fmt::format("rank {} on {}", rank, host_name());
+    if (begun.build != build())
+        return {ErrorKind::input,
+                {where + " runs another program than rank 0 on " + begun.host,
+                 build() + " there, " + begun.build + " here", "Start the same program everywhere."}};
+    return {ErrorKind::input,
+            {where + " reads another case or chart than rank 0 on " + begun.host,
+             "the file, or one that it names, is not the same there",
+             "Give it by a path that leads to one file from everywhere."}};
 }
 
 }  // namespace stridor::cluster

@@ -1,7 +1,7 @@
 #include "stridor/cluster/rank_crew.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/cluster/hello.hpp"
+#include "stridor/cluster/messages.hpp"
 #include "stridor/crew/thread_crew.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/cluster/messages.hpp"
 #include "stridor/cluster/post.hpp"
-#include "stridor/cluster/timing.hpp"
 #include "stridor/crew/crew.hpp"
 
 #include <chrono>

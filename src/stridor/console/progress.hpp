@@ -1,12 +1,17 @@
 #pragma once
 
+#include "stridor/hearing/heard_recordings.hpp"
+#include "stridor/hearing/sound_search.hpp"
 #include "stridor/sweep/run.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace stridor::console {
 
@@ -70,6 +75,98 @@ private:
     double begin_share_ = -1.0;  // [1] what was done then
     int said_ = 0;               // [%]
     bool has_line_ = false;
+};
+
+// How far long work on sounds is, on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else, and
+// nothing for what takes no time worth a line.
+
+/// How far a sound is rendered.
+class RenderDisplay {
+public:
+    /// `duration` [s] of the run.
+    explicit RenderDisplay(double duration) : duration_(duration) {}
+
+    /// `time` [s] of the run is rendered.
+    void show(double time);
+
+private:
+    double duration_;
+    int shown_ = 0;  // [%]
+};
+
+/// How far a recording is analysed.
+class AnalysisDisplay {
+public:
+    /// `frames` of a recording of this rate [Hz], where they are known.
+    AnalysisDisplay(std::optional<std::uint64_t> frames, double rate);
+
+    /// Is the recording long enough that anybody wants to know? From five minutes on.
+    bool is_shown() const { return is_shown_; }
+    /// `frames` [1] are analysed.
+    void show(std::uint64_t frames);
+
+private:
+    double whole_;  // [1] frames
+    bool is_shown_;
+    int said_ = 0;  // [%]
+};
+
+/// How far a search by sound is.
+class SearchDisplay {
+public:
+    /// Shows how far it is. Without a terminal a search of fewer than 50 cells is not shown.
+    void show(const hearing::SearchProgress& progress);
+
+private:
+    ShareDisplay display_{"listened to", TimeLeft::shown};
+};
+
+/// How far a row of recordings is by their bytes: "2 of 8: squeak.wav".
+class HeardFilesDisplay {
+public:
+    /// The recordings that will be heard; the sizes of their files are read now.
+    explicit HeardFilesDisplay(const std::vector<hearing::Expectation>& recordings);
+
+    /// The next file is begun.
+    void begin(const std::string& file);
+    /// `share` [1] of the file that was begun is heard.
+    void show(double share);
+    /// The file that was begun is heard.
+    void end() { done_ += size_; }
+
+private:
+    ShareDisplay display_{"listened to", TimeLeft::shown};
+    std::size_t count_;
+    std::size_t number_ = 0;
+    std::string file_;
+    std::uintmax_t total_ = 0;  // [bytes]
+    std::uintmax_t done_ = 0;   // [bytes]
+    std::uintmax_t size_ = 0;   // [bytes] of the one that is heard
+};
+
+/// How far a row of recordings is by their number: the whole ones, and the share of the one that is heard.
+class RowDisplay {
+public:
+    /// `what` is done to each, as in "listened to"; `total` [1] recordings.
+    RowDisplay(std::string what, std::size_t total) : display_(std::move(what)), total_(total) {}
+
+    /// The next recording is begun. It is shown if it takes long.
+    void begin(const std::filesystem::path& file);
+    /// `share` [1] of the recording that was begun is heard.
+    void show(double share);
+    /// The recording that was begun is done.
+    void end();
+    /// Takes the line away, so that other text can stand there.
+    void clear() { display_.clear(); }
+    /// Whole recordings so far [1].
+    std::size_t done() const { return done_; }
+
+private:
+    ShareDisplay display_;
+    std::size_t total_;
+    std::size_t done_ = 0;
+    std::string file_;
+    bool is_shown_ = false;
 };
 
 }  // namespace stridor::console

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
+
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -74,5 +76,18 @@ public:
 
 /// Makes the crew of a work; a stop request ends what it does within a fraction of a second.
 using CrewMaker = std::function<std::unique_ptr<Crew>(const Work& work, const std::stop_token& stop)>;
+
+/// Has a crew compute all these tasks, first those in front, and hands each result over as it comes, in any order.
+///
+/// `tick` is called ten times a second meanwhile, and once at the end; both calls come from the caller's thread. Where
+/// the crew has stopped on request, some results are missing in the end. Throws what failed in the crew.
+void compute(Crew& crew, std::vector<Task> tasks, const std::function<void(Result)>& take,
+             const std::function<void()>& tick = {});
+
+/// What to throw where the bytes of a result are none that this program writes.
+Error damaged_result();
+
+/// So many tasks that are told by their numbers alone: 0, 1, 2, ...
+std::vector<Task> numbered_tasks(std::size_t count);
 
 }  // namespace stridor::crew

@@ -2,7 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/threads.hpp"
+#include "stridor/base/process.hpp"
 
 #include <sched.h>
 

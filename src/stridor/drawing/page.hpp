@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/drawing/layout.hpp"
-#include "stridor/drawing/texture.hpp"
+#include "stridor/drawing/palette.hpp"
 
 #include <memory>
 #include <span>

@@ -3,7 +3,6 @@
 // One client's connection. Private to server.cpp, which alone includes Boost: it takes long to compile.
 
 #include "stridor/explorer/making.hpp"
-#include "stridor/explorer/parts.hpp"
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/beast/core.hpp>

@@ -1,12 +1,10 @@
 #include "stridor/explorer/sent_columns.hpp"
 
-#include "stridor/io/simulation/dof_names.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/record/columns.hpp"
+#include "stridor/record/trace.hpp"
 
-#include <cstddef>
-#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>

@@ -1,13 +1,33 @@
 #pragma once
 
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/trace.hpp"
 
+#include <bit>
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace stridor::explorer {
+
+// Arrays as bytes, little endian as every browser's typed arrays are, and as text for JSON.
+
+static_assert(std::endian::native == std::endian::little, "arrays are handed over as they lie in memory");
+
+/// Numbers as they lie in memory, lowest byte first.
+template <typename T>
+std::string bytes_of(std::span<const T> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+/// The same bytes in base 64.
+template <typename T>
+std::string base64_of(std::span<const T> values) {
+    return base::base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+}
 
 /// A column of the motion that is sent to the page, under the name that the page knows.
 struct SentColumn {

@@ -2,7 +2,7 @@
 
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/check.hpp"
-#include "stridor/classification/category.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/text.hpp"
 #include "stridor/integration/outcome.hpp"
@@ -11,7 +11,7 @@
 #include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
-#include "stridor/pictures/parts/cell_kinds.hpp"
+#include "stridor/pictures/parts/chart_cells.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"

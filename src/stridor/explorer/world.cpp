@@ -2,11 +2,11 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/usual_axes.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "stridor/classification/confusion.hpp"
-#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/classification/recording_verdict.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
-#include "stridor/signal/signal.hpp"
+#include "stridor/signal/source.hpp"
 #include "stridor/sound/auralisation.hpp"
 #include "stridor/sweep/cell.hpp"
 

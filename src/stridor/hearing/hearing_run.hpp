@@ -2,17 +2,35 @@
 
 #include "stridor/crew/thread_crew.hpp"
 #include "stridor/hearing/hearing.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stridor::hearing {
+
+// What was heard as text, to be kept while a long evaluation or search goes on: read back it is the same, bit for bit.
+
+/// The text of one sound.
+std::string packed(const CellSound& sound);
+
+/// The text of several.
+std::string packed(std::span<const HeardSound> sounds);
+
+/// The sound of such a text; nothing for text that is none.
+std::optional<CellSound> unpacked_cell_sound(std::string_view text);
+
+/// Likewise, of several.
+std::optional<std::vector<HeardSound>> unpacked_heard_sounds(std::string_view text);
 
 /// How the cells of a study are heard.
 struct HearingOptions {
@@ -39,5 +57,20 @@ crew::Work work_of(const sweep::Study& study, const HearingOptions& options);
 /// The same result for every crew. A study's refinement is not looked at: every cell is heard. Throws
 /// `Error` (input) for a study with several starts, of which one could be heard only, and what `check_audible` throws.
 std::vector<HeardSound> hear(const sweep::Study& study, const HearingOptions& options);
+
+/// One of Table 1's cases by ear.
+struct HeardCase {
+    std::string name;                                                      // "squeal"
+    std::vector<HeardSound> phases;                                        // going, coming
+    classification::Category whole = classification::Category::undecided;  // the whole second, all phases as they come
+    std::string reason;                                                    // why the whole sounds so
+};
+
+/// Hears the cases of Table 1: their phases, and the whole motion as one sound, as `stridor listen` makes it audible.
+/// Throws `Error` (interrupted) where it was stopped.
+std::vector<HeardCase> hear_table_1(const HearingOptions& options);
+
+/// Throws the `Error` (interrupted) of sounds that are kept as they are heard: "stopped in Table 1 ...".
+[[noreturn]] void throw_stopped(const std::string& where);
 
 }  // namespace stridor::hearing

@@ -1,7 +1,7 @@
 #include "stridor/hearing/sound_comparison.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/whole.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/hearing/rendered_sound.hpp"

@@ -1,7 +1,7 @@
 #include "stridor/noise_library/audio_folder.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -59,4 +59,9 @@ std::vector<AudioName> sounds_without_entry(const std::filesystem::path& audio_f
 std::filesystem::path replace_database(const std::filesystem::path& file, std::span<const Entry> entries,
                                        std::int64_t last_id);
 
+/// What the database of a library holds, read from a copy where it is: a page without its checksum is read as it
+/// stands, and each entry is held against its digest. A first page that lost its checksum is replaced by that of a new
+/// library, whose tables begin at the same pages. Throws `Error` where it is no library, or in use.
+Saved saved_from(const std::filesystem::path& file, const LibraryOptions& options);
+
 }  // namespace stridor::noise_library

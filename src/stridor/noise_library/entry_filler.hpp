@@ -1,8 +1,13 @@
 #pragma once
 
+#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/classification/recording_verdict.hpp"
+#include "stridor/noise_library/entry.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/sound/analysis.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,5 +46,18 @@ double peak_velocity(const parameters::Drive& drive);
 
 /// "constant", "sinusoidal 5 Hz"; empty for a sampled drive.
 std::string profile_of(const parameters::Drive& drive);
+
+// What of a sound becomes figures of an entry: to six digits, which is more than any recording has and prints the same
+// everywhere.
+
+/// Level, frequency, features and impulses of the loudest segment of the recording's category; loudness, sharpness
+/// and roughness of a sound pressure as a whole. Silence has a level at most.
+std::vector<Figure> figures_of(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
+
+/// Friction coefficients and force drops.
+std::vector<Figure> figures_of(const analysis::FrictionFigures& found);
+
+/// Adds those that the entry has not: what a person wrote stays.
+void add_missing(Entry& entry, std::span<const Figure> figures);
 
 }  // namespace stridor::noise_library

@@ -2,7 +2,7 @@
 
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/library_file.hpp"
-#include "stridor/noise_library/selection.hpp"
+#include "stridor/noise_library/query.hpp"
 
 #include <algorithm>
 #include <string>

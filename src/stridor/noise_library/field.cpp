@@ -3,10 +3,10 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
+#include "stridor/base/hash.hpp"
 #include "stridor/base/quantity.hpp"
-#include "stridor/base/sha256.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/classification/category.hpp"
+#include "stridor/classification/verdict.hpp"
 
 #include <algorithm>
 #include <array>

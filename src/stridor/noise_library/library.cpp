@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/noise_library/entry_rows.hpp"
 #include "stridor/noise_library/field.hpp"
-#include "stridor/noise_library/selection.hpp"
+#include "stridor/noise_library/query.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "stridor/noise_library/entry.hpp"
 #include "stridor/noise_library/library_file.hpp"
 #include "stridor/noise_library/query.hpp"
-#include "stridor/noise_library/selection.hpp"
 #include "stridor/storage/database.hpp"
 
 #include <cstdint>

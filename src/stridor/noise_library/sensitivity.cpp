@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/classification/category.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/noise_library/field.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "stridor/drawing/scene.hpp"
 #include "stridor/parameters/case.hpp"
-#include "stridor/record/contact_history.hpp"
+#include "stridor/record/tally.hpp"
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/parts/cell_kinds.hpp"
+#include "stridor/pictures/parts/chart_cells.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 
 #include <algorithm>

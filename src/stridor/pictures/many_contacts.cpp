@@ -5,7 +5,6 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
-#include "stridor/pictures/parts/contact_line.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +12,44 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
-#include <vector>
 
 namespace stridor::pictures {
 
 namespace {
+
+constexpr double half_width = 0.4;  // [1] of a bar, of the way to the nearest neighbour
+
+// Way from each place to the nearest other one; zero where two contacts are at one place. Shape [contact].
+std::vector<double> ways_to_neighbours(const ContactLine& line) {
+    std::vector<double> ways(line.places.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t k = 1; k < line.order.size(); ++k) {
+        const std::size_t left = line.order[k - 1], right = line.order[k];
+        const double way = line.places[right] - line.places[left];
+        ways[left] = std::min(ways[left], way);
+        ways[right] = std::min(ways[right], way);
+    }
+    return ways;
+}
+
+void number_contacts(ContactLine& line) {
+    std::iota(line.order.begin(), line.order.end(), std::size_t{0});
+    std::iota(line.places.begin(), line.places.end(), 1.0);
+}
+
+// takes the places that the case knows; false where it does not know them, or two are one
+bool place_contacts(ContactLine& line, const parameters::Case& c) {
+    if (!c.own_structure) return false;
+    std::vector<double> places = parameters::places_along_line(*c.own_structure);
+    if (places.empty()) return false;
+    line.places = std::move(places);
+    std::sort(line.order.begin(), line.order.end(),
+              [&](std::size_t a, std::size_t b) { return line.places[a] < line.places[b]; });
+    const std::vector<double> ways = ways_to_neighbours(line);
+    return *std::min_element(ways.begin(), ways.end()) > 0.0;
+}
 
 using drawing::Box;
 using drawing::Extent;
@@ -32,7 +62,7 @@ constexpr std::array<ContactState, model::contact_states> stacked{ContactState::
 constexpr double share_height = 26.0;       // [mm] of a row of panels of shares and forces
 constexpr double row_height = 5.0;          // [mm] of a contact's states, while that is no more than
 constexpr double most_states_height = 110;  // [mm] of all of them
-constexpr double bar = 0.4;                 // [1] half of a row's height
+constexpr double half_height = 0.4;         // [1] of a bar, of its row
 constexpr std::size_t most_changes = 200;   // of a contact that is drawn stay by stay
 constexpr std::size_t changes_a_part = 16;  // of one that is split, at least: one more or less is hardly seen
 
@@ -121,7 +151,8 @@ drawing::Panel force_panel(const parameters::Case& c, const ContactLine& line, c
 void add_stays(StateBoxes& boxes, const record::ContactHistory& history, const Extent& time, double row) {
     for (const record::ContactInterval& stay : history) {
         const Extent within{std::max(stay.from, time.from), std::min(stay.to, time.to)};
-        if (within.from < within.to) boxes[model::index_of(stay.state)].push_back({within, {row - bar, row + bar}});
+        if (within.from < within.to)
+            boxes[model::index_of(stay.state)].push_back({within, {row - half_height, row + half_height}});
     }
 }
 
@@ -138,9 +169,9 @@ void add_shares(StateBoxes& boxes, const record::ContactHistory& history, const 
         std::array<double, model::contact_states> spent{};  // [s]
         for (auto each = stay; each != history.end() && each->from < within.to; ++each)
             spent[model::index_of(each->state)] += std::min(each->to, within.to) - std::max(each->from, within.from);
-        double below = row - bar;
+        double below = row - half_height;
         for (const ContactState state : stacked) {
-            const double height = 2.0 * bar * spent[model::index_of(state)] / length;
+            const double height = 2.0 * half_height * spent[model::index_of(state)] / length;
             // thinner than rounding is nothing
             if (height > 1e-9) add_box(boxes[model::index_of(state)], {within, {below, below + height}});
             below += height;
@@ -260,6 +291,31 @@ private:
 };
 
 }  // namespace
+
+ContactLine contact_line(const parameters::Case& c) {
+    const std::size_t contacts = parameters::contact_count(c);
+    ContactLine line;
+    line.order.resize(contacts);
+    line.places.resize(contacts);
+    number_contacts(line);
+    if (place_contacts(line, c)) {
+        line.axis.label = "place along the line";
+        line.axis.unit = "m";
+    } else {
+        number_contacts(line);
+        line.axis.label = "contact";
+        for (std::size_t k = 0; k < contacts; ++k)
+            line.axis.ticks.push_back({line.places[k], parameters::contact_name(c, k), drawing::TickSize::major});
+    }
+    std::vector<double> ways = ways_to_neighbours(line);
+    for (double& way : ways)
+        way = std::isfinite(way) ? way : 1.0;  // of a single contact
+    for (std::size_t k = 0; k < contacts; ++k)
+        line.bars.push_back({line.places[k] - half_width * ways[k], line.places[k] + half_width * ways[k]});
+    const std::size_t first = line.order.front(), last = line.order.back();
+    line.axis.range = {line.places[first] - 0.5 * ways[first], line.places[last] + 0.5 * ways[last]};
+    return line;
+}
 
 bool shows_many_contacts(const parameters::Case& c) {
     return c.own_structure && parameters::contact_count(c) > 1;

@@ -3,6 +3,7 @@
 #include "stridor/drawing/scene.hpp"
 #include "stridor/sweep/cell.hpp"
 
+#include <span>
 #include <string_view>
 
 namespace stridor::pictures {
@@ -23,5 +24,9 @@ drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view f
 
 /// `noise_chart` for "category", else `figure_chart`: draws what a study's `quantities` ask for.
 drawing::Scene quantity_chart(const sweep::SweepResult& result, std::string_view quantity);
+
+/// Slip, stick and separation rate over the two axes of sweeps, a row of three maps per sweep and direction (Elmaian et
+/// al. 2012, Figure 6: two incidence angles). Cells without a result are white and crossed.
+drawing::Scene rate_map(std::span<const sweep::SweepResult> results);
 
 }  // namespace stridor::pictures

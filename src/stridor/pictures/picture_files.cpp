@@ -7,7 +7,7 @@
 #include "stridor/pictures/diagram.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/noise_chart.hpp"
-#include "stridor/pictures/parts/design_mark.hpp"
+#include "stridor/pictures/parts/chart_cells.hpp"
 #include "stridor/pictures/time_history.hpp"
 #include "stridor/storage/atomic_file.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "stridor/record/contact_history.hpp"
 #include "stridor/record/interface_counter.hpp"
 #include "stridor/record/tally.hpp"
 #include "stridor/record/trace.hpp"

@@ -4,16 +4,15 @@
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/audio/audio.hpp"
 #include "stridor/recordings/audio/compressed_audio.hpp"
-#include "stridor/recordings/channel_survey.hpp"
 #include "stridor/recordings/mat/mat.hpp"
 #include "stridor/recordings/mat/mat_choice.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/recording_files.hpp"
-#include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/sidecar.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 #include "stridor/recordings/table/signal_csv.hpp"
 #include "stridor/recordings/uff58/uff58.hpp"
-#include "stridor/signal/channel_name.hpp"
+#include "stridor/signal/source.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/signal/source.hpp"
 
@@ -10,6 +11,17 @@
 #include <vector>
 
 namespace stridor::recordings {
+
+/// An error (input) in a file that is read, where it stands.
+inline base::Error refusal(base::Place place, std::string what, std::string why = "", std::string suggestion = "") {
+    return {base::ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, std::move(place)};
+}
+
+/// The same where only the file is known.
+inline base::Error refusal(const std::string& file, std::string what, std::string why = "",
+                           std::string suggestion = "") {
+    return refusal(base::Place{file, 0, 0, ""}, std::move(what), std::move(why), std::move(suggestion));
+}
 
 /// What only the samples of a recording can tell, and its reader has not looked for.
 enum class Doubt {
@@ -36,5 +48,19 @@ struct SignalInput {
     std::string name{};                    // for messages
     std::optional<std::string> sidecar{};  // text of the JSON file beside it
 };
+
+/// What keeps a channel from being a signal.
+enum class FaultKind { none, no_samples, counter };
+
+/// Why a channel is no signal.
+struct ChannelFault {
+    FaultKind kind = FaultKind::none;
+    std::string why{};  // "is nan in sample 78", "grows by the same step in every sample, as a counter does"
+};
+
+/// Reads a source to its end, and tells of each channel why it is no signal, shape [channel].
+///
+/// Counters are whole numbers, 32 at the least. Throws as the source does.
+std::vector<ChannelFault> channel_faults(signal::Source& source);
 
 }  // namespace stridor::recordings

@@ -1,7 +1,7 @@
 #include "stridor/recordings/rig_channels.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/signal/channel_name.hpp"
+#include "stridor/signal/source.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "stridor/base/json.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <algorithm>
 #include <cmath>

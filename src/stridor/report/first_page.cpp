@@ -8,7 +8,7 @@
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
-#include "stridor/pictures/parts/design_mark.hpp"
+#include "stridor/pictures/parts/chart_cells.hpp"
 #include "stridor/report/sketch.hpp"
 #include "stridor/report/structure_sketch.hpp"
 #include "stridor/report/verdict_words.hpp"

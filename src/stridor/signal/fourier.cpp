@@ -1,15 +1,212 @@
 #include "stridor/signal/fourier.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/signal/radix_four.hpp"
+#include "stridor/base/elementary.hpp"
 
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
+#include <bit>
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace stridor::signal {
+
+namespace {
+
+// Stockham's order of the fast Fourier transform (Cochran et al. 1967, Proceedings of the IEEE 55, 1664): a stage of
+// radix 4 takes one number out of each quarter and writes its results where the next stage finds them, so nothing is
+// put in order at the end. With n numbers left to a transform, s transforms side by side and w = exp(-2πi p / n):
+//     y[q + s 4p + s j] = wʲ Σ_l (-i)^(jl) x[q + s p + s l n/4],  j = 0 ... 3,  p < n / 4,  q < s
+// N real samples are N / 2 complex numbers x[2n] + i x[2n+1]. Of their transform Z come the lines
+//     X[k] = (Z[k] + Z*[N/2-k]) / 2 - i/2 exp(-2πi k / N) (Z[k] - Z*[N/2-k]).
+// The way back swaps real and imaginary parts, before and after.
+
+// a cache line between the parts, for streams a power of two apart push each other out of the cache
+constexpr std::size_t gap = 8;
+
+// the stage in which s is 1: the numbers' parts still take turns, and `w` holds six rows
+void first_stage(const double* __restrict x, double* __restrict real, double* __restrict imaginary, std::size_t quarter,
+                 const double* __restrict w) {
+#pragma omp simd
+    for (std::size_t p = 0; p < quarter; ++p) {
+        const double* a = x + 2 * p;
+        const double* b = a + 2 * quarter;
+        const double* c = b + 2 * quarter;
+        const double* d = c + 2 * quarter;
+        const double even_r = a[0] + c[0];
+        const double even_i = a[1] + c[1];
+        const double odd_r = b[0] + d[0];
+        const double odd_i = b[1] + d[1];
+        const double left_r = a[0] - c[0];
+        const double left_i = a[1] - c[1];
+        const double right_r = b[0] - d[0];
+        const double right_i = b[1] - d[1];
+        const double one_r = left_r + right_i;
+        const double one_i = left_i - right_r;
+        const double two_r = even_r - odd_r;
+        const double two_i = even_i - odd_i;
+        const double three_r = left_r - right_i;
+        const double three_i = left_i + right_r;
+        real[4 * p] = even_r + odd_r;
+        real[4 * p + 1] = w[p] * one_r - w[p + quarter] * one_i;
+        real[4 * p + 2] = w[p + 2 * quarter] * two_r - w[p + 3 * quarter] * two_i;
+        real[4 * p + 3] = w[p + 4 * quarter] * three_r - w[p + 5 * quarter] * three_i;
+        imaginary[4 * p] = even_i + odd_i;
+        imaginary[4 * p + 1] = w[p] * one_i + w[p + quarter] * one_r;
+        imaginary[4 * p + 2] = w[p + 2 * quarter] * two_i + w[p + 3 * quarter] * two_r;
+        imaginary[4 * p + 3] = w[p + 4 * quarter] * three_i + w[p + 5 * quarter] * three_r;
+    }
+}
+
+// Numbers with their parts apart.
+struct Numbers {
+    const double* real;
+    const double* imaginary;
+};
+struct Results {
+    double* real;
+    double* imaginary;
+};
+
+// One p of a later stage: x and y begin at its numbers, which lie `apart` from quarter to quarter.
+template <typename Turn>
+void butterflies(Numbers x, std::size_t apart, Results y, std::size_t s, const Turn* w) {
+    const Turn one = w[0];
+    const Turn two = w[1];
+    const Turn three = w[2];
+#pragma omp simd
+    for (std::size_t q = 0; q < s; ++q) {
+        const double even_r = x.real[q] + x.real[q + 2 * apart];
+        const double even_i = x.imaginary[q] + x.imaginary[q + 2 * apart];
+        const double odd_r = x.real[q + apart] + x.real[q + 3 * apart];
+        const double odd_i = x.imaginary[q + apart] + x.imaginary[q + 3 * apart];
+        const double left_r = x.real[q] - x.real[q + 2 * apart];
+        const double left_i = x.imaginary[q] - x.imaginary[q + 2 * apart];
+        const double right_r = x.real[q + apart] - x.real[q + 3 * apart];
+        const double right_i = x.imaginary[q + apart] - x.imaginary[q + 3 * apart];
+        const double one_r = left_r + right_i;
+        const double one_i = left_i - right_r;
+        const double two_r = even_r - odd_r;
+        const double two_i = even_i - odd_i;
+        const double three_r = left_r - right_i;
+        const double three_i = left_i + right_r;
+        y.real[q] = even_r + odd_r;
+        y.real[q + s] = one.cosine * one_r - one.sine * one_i;
+        y.real[q + 2 * s] = two.cosine * two_r - two.sine * two_i;
+        y.real[q + 3 * s] = three.cosine * three_r - three.sine * three_i;
+        y.imaginary[q] = even_i + odd_i;
+        y.imaginary[q + s] = one.cosine * one_i + one.sine * one_r;
+        y.imaginary[q + 2 * s] = two.cosine * two_i + two.sine * two_r;
+        y.imaginary[q + 3 * s] = three.cosine * three_i + three.sine * three_r;
+    }
+}
+
+// the last stage, of radix 2, where half the size is no power of four
+void pairs(Numbers x, Results y, std::size_t s) {
+#pragma omp simd
+    for (std::size_t q = 0; q < s; ++q) {
+        y.real[q] = x.real[q] + x.real[q + s];
+        y.real[q + s] = x.real[q] - x.real[q + s];
+        y.imaginary[q] = x.imaginary[q] + x.imaginary[q + s];
+        y.imaginary[q + s] = x.imaginary[q] - x.imaginary[q + s];
+    }
+}
+
+}  // namespace
+
+bool RadixFour::takes(std::size_t size) {
+    return size >= 16 && std::has_single_bit(size);
+}
+
+RadixFour::RadixFour(std::size_t size)
+    : half_(size / 2),
+      here_(2 * (half_ + gap)),
+      there_(here_.size()),
+      numbers_(size) {
+    STRIDOR_EXPECT(takes(size));
+    const auto turn = [](std::size_t k, std::size_t n) {
+        const base::SineCosine angle = base::sine_cosine_of_turns(static_cast<double>(k) / static_cast<double>(n));
+        return Turn{angle.cosine, -angle.sine};
+    };
+    const std::size_t quarter = half_ / 4;
+    first_.resize(6 * quarter);
+    for (std::size_t order = 1; order <= 3; ++order)
+        for (std::size_t p = 0; p < quarter; ++p) {
+            first_[(2 * order - 2) * quarter + p] = turn(order * p, half_).cosine;
+            first_[(2 * order - 1) * quarter + p] = turn(order * p, half_).sine;
+        }
+    for (std::size_t n = quarter; n >= 4; n /= 4)
+        for (std::size_t p = 0; p < n / 4; ++p)
+            for (std::size_t order = 1; order <= 3; ++order)
+                later_.push_back(turn(order * p, n));
+    for (std::size_t k = 0; k <= half_ / 2; ++k)
+        turns_.push_back(turn(k, size));
+}
+
+void RadixFour::transform(const double* numbers) {
+    first_stage(numbers, real(here_), imaginary(here_), half_ / 4, first_.data());
+    const Turn* w = later_.data();
+    std::size_t s = 4;
+    std::size_t n = half_ / 4;
+    for (; n >= 4; n /= 4, s *= 4) {
+        for (std::size_t p = 0; p < n / 4; ++p, w += 3)
+            butterflies(Numbers{real(here_) + s * p, imaginary(here_) + s * p}, half_ / 4,
+                        Results{real(there_) + 4 * s * p, imaginary(there_) + 4 * s * p}, s, w);
+        std::swap(here_, there_);
+    }
+    if (n == 2) {
+        pairs({real(here_), imaginary(here_)}, {real(there_), imaginary(there_)}, s);
+        std::swap(here_, there_);
+    }
+}
+
+void RadixFour::forward(std::span<const double> frame, std::span<std::complex<double>> spectrum) {
+    STRIDOR_EXPECT(frame.size() == 2 * half_ && spectrum.size() == half_ + 1);
+    transform(frame.data());
+    const double* re = real(here_);
+    const double* im = imaginary(here_);
+    spectrum[0] = re[0] + im[0];
+    spectrum[half_] = re[0] - im[0];
+    for (std::size_t k = 1; k <= half_ / 2; ++k) {
+        const std::size_t mirror = half_ - k;
+        const double even_r = 0.5 * (re[k] + re[mirror]);
+        const double even_i = 0.5 * (im[k] - im[mirror]);
+        const double odd_r = 0.5 * (im[k] + im[mirror]);
+        const double odd_i = 0.5 * (re[mirror] - re[k]);
+        const double turned_r = turns_[k].cosine * odd_r - turns_[k].sine * odd_i;
+        const double turned_i = turns_[k].cosine * odd_i + turns_[k].sine * odd_r;
+        spectrum[k] = {even_r + turned_r, even_i + turned_i};
+        spectrum[mirror] = {even_r - turned_r, turned_i - even_i};
+    }
+}
+
+void RadixFour::backward(std::span<const std::complex<double>> spectrum, std::span<double> frame) {
+    STRIDOR_EXPECT(frame.size() == 2 * half_ && spectrum.size() == half_ + 1);
+    const double scale = 0.5 / static_cast<double>(half_);
+    const auto put = [&](std::size_t k, double re, double im) {
+        numbers_[2 * k] = scale * im;
+        numbers_[2 * k + 1] = scale * re;
+    };
+    put(0, spectrum[0].real() + spectrum[half_].real(), spectrum[0].real() - spectrum[half_].real());
+    for (std::size_t k = 1; k <= half_ / 2; ++k) {
+        const std::complex<double> here = spectrum[k];
+        const std::complex<double> mirror = spectrum[half_ - k];
+        const double even_r = here.real() + mirror.real();
+        const double even_i = here.imag() - mirror.imag();
+        const double left_r = here.real() - mirror.real();
+        const double left_i = here.imag() + mirror.imag();
+        const double odd_r = turns_[k].cosine * left_r + turns_[k].sine * left_i;
+        const double odd_i = turns_[k].cosine * left_i - turns_[k].sine * left_r;
+        put(k, even_r - odd_i, even_i + odd_r);
+        put(half_ - k, even_r + odd_i, odd_r - even_i);
+    }
+    transform(numbers_.data());
+    for (std::size_t n = 0; n < half_; ++n) {
+        frame[2 * n] = imaginary(here_)[n];
+        frame[2 * n + 1] = real(here_)[n];
+    }
+}
 
 struct Fourier::Buffers {
     explicit Buffers(std::size_t count) : size(count), time(count), half(count / 2 + 1) {

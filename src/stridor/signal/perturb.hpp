@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/signal/signal.hpp"
+#include "stridor/signal/source.hpp"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/signal/low_pass.hpp"
+#include "stridor/signal/filter.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <cstddef>

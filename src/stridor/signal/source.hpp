@@ -1,7 +1,6 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
-#include "stridor/signal/signal.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +8,25 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stridor::signal {
+
+/// The unit of samples that nobody has calibrated: 1 is the largest magnitude their file can hold.
+inline constexpr const char* full_scale = "FS";
+
+/// One channel of sampled data, uniform in time: a recorded sound, a measured force, a simulated velocity.
+struct Signal {
+    double rate = 0.0;              // [Hz] samples per second
+    std::string unit = full_scale;  // of the samples: "Pa", "m/s^2", "m/s", "N", or "FS"
+    std::vector<double> samples{};  // [unit] shape [frame]
+};
+
+/// The time a signal lasts [s].
+inline double duration(const Signal& signal) {
+    return static_cast<double>(signal.samples.size()) / signal.rate;
+}
 
 /// One channel of a recording.
 struct Channel {
@@ -61,5 +76,14 @@ std::vector<Signal> read_all(Source& source, std::uint64_t limit = std::uint64_t
 
 /// Signals of one rate and length as a source.
 std::unique_ptr<Source> source_of(std::vector<Signal> channels);
+
+// What users call the channels of a recording.
+
+/// The place of a channel, from 0, by its name or its number from 1; a name counts first. Throws `Error` (input) with
+/// the channels there are.
+std::size_t channel_named(const ChannelLayout& layout, std::string_view name);
+
+/// 1 "force" [N], 2 [Pa]
+std::string channel_list(const ChannelLayout& layout);
 
 }  // namespace stridor::signal

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/signal/bands.hpp"
+#include "stridor/signal/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

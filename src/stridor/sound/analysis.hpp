@@ -6,7 +6,6 @@
 #include "stridor/signal/spectrum.hpp"
 #include "stridor/sound/passages.hpp"
 #include "stridor/sound/quality.hpp"
-#include "stridor/sound/stretches.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "stridor/sound/course.hpp"
 
-#include "stridor/base/whole.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/signal/window.hpp"
 
 #include <algorithm>

@@ -7,12 +7,12 @@
 #include "stridor/sound/features.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/whole.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/window.hpp"
 #include "stridor/sound/course.hpp"
-#include "stridor/sound/parabola.hpp"
+#include "stridor/sound/tones.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/signal/fourier.hpp"
-#include "stridor/signal/signal.hpp"
+#include "stridor/signal/source.hpp"
 #include "stridor/signal/window.hpp"
 
 #include <cstddef>

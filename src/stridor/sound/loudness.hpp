@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/signal/third_octave_filters.hpp"
+#include "stridor/signal/filter.hpp"
 #include "stridor/sound/exceedance.hpp"
 
 #include <array>

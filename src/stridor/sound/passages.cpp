@@ -1,8 +1,11 @@
 #include "stridor/sound/passages.hpp"
 
+#include "stridor/signal/filter.hpp"
+#include "stridor/signal/median.hpp"
 #include "stridor/signal/spectrum.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -29,6 +32,73 @@ signal::Spectrogram impulse_graph(std::span<const double> samples, double rate, 
     signal::Spectrogram result = graph.spectrogram();
     result.from += from;
     return result;
+}
+
+constexpr double level_part = 0.005;   // [s]
+constexpr std::size_t sustained = 12;  // parts of a sustained level
+constexpr double level_jump = 6.0;     // [dB]
+constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
+
+// mean squares of 5 ms parts, the drive's motion taken away
+class StretchParts {
+public:
+    explicit StretchParts(double rate)
+        : section_(signal::high_pass(drive_corner, rate, 2).front()),
+          length_(std::max<std::size_t>(1, static_cast<std::size_t>(level_part * rate))) {}
+
+    std::size_t length() const { return length_; }
+
+    void push(std::span<const double> samples) {
+        if (!has_begun_ && !samples.empty()) begin(samples.front());
+        for (const double x : samples) {
+            const double y = section_.b0 * x + first_;
+            first_ = section_.b1 * x - section_.a1 * y + second_;
+            second_ = section_.b2 * x - section_.a2 * y;
+            sum_ += y * y;
+            if (++filled_ < length_) continue;
+            squares.push_back(sum_ / static_cast<double>(length_));
+            sum_ = 0.0;
+            filled_ = 0;
+        }
+    }
+
+    std::vector<double> squares{};  // of the parts not yet cut off
+
+private:
+    // as if the first sample had stood there for ever: that a recording begins is no noise
+    void begin(double x) {
+        has_begun_ = true;
+        first_ = -section_.b0 * x;
+        second_ = section_.b2 * x;
+    }
+
+    signal::Biquad section_;
+    std::size_t length_;
+    std::size_t filled_ = 0;
+    bool has_begun_ = false;
+    double sum_ = 0.0;
+    double first_ = 0.0;
+    double second_ = 0.0;
+};
+
+// The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All
+// of the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
+std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
+    const double least = 1e-6 * *std::max_element(squares.begin(), squares.end());
+    double best = 0.0;
+    std::size_t place = 0;
+    for (std::size_t k = sustained; k + sustained <= squares.size() && k <= longest; ++k) {
+        const double before = std::max(least, signal::median_of(squares.subspan(k - sustained, sustained)));
+        const double after = std::max(least, signal::median_of(squares.subspan(k, sustained)));
+        const double jump = std::abs(10.0 * std::log10(after / before));
+        if (jump > best) {
+            best = jump;
+            place = k;
+        }
+        const bool is_past = best > level_jump && k >= place + sustained;
+        if (is_past) break;
+    }
+    return best > level_jump ? place : std::min(longest, squares.size());
 }
 
 }  // namespace
@@ -90,6 +160,62 @@ std::vector<Passage> PassageFinder::finish() {
 
 const signal::Spectrogram& PassageFinder::impulses() const {
     return state_->impulses;
+}
+
+struct StretchFinder::State {
+    explicit State(double the_rate) : rate(the_rate), finder(the_rate), parts(the_rate) {}
+
+    // describes all stretches that can be cut off; `end`: what is left is cut too
+    enum class End { open, reached };
+    void describe(End end) {
+        const auto longest = static_cast<std::size_t>(longest_stretch / level_part);
+        const std::size_t ahead = end == End::reached ? 1 : longest + sustained;
+        std::size_t first = 0;
+        std::size_t first_part = 0;
+        while (parts.squares.size() - first_part >= ahead) {
+            const std::size_t cut = cut_after(std::span(parts.squares).subspan(first_part), longest);
+            std::size_t length = cut * parts.length();
+            if (end == End::reached && first_part + cut == parts.squares.size()) length = pending.size() - first;
+            describe(std::span(pending).subspan(first, length));
+            first += length;
+            first_part += cut;
+        }
+        pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(first));
+        parts.squares.erase(parts.squares.begin(), parts.squares.begin() + static_cast<std::ptrdiff_t>(first_part));
+    }
+
+    void describe(std::span<const double> samples) {
+        const double from = static_cast<double>(described) / rate;
+        described += samples.size();
+        if (static_cast<double>(samples.size()) < FeatureFinder::least_duration * rate) return;
+        SoundStretch stretch = finder.find(samples);
+        stretch.features.from = from;
+        stretches.push_back(std::move(stretch));
+    }
+
+    double rate;
+    FeatureFinder finder;
+    StretchParts parts;
+    std::vector<double> pending{};  // samples not yet described
+    std::uint64_t described = 0;
+    std::vector<SoundStretch> stretches{};
+};
+
+StretchFinder::StretchFinder(double rate) : state_(std::make_unique<State>(rate)) {}
+StretchFinder::~StretchFinder() = default;
+StretchFinder::StretchFinder(StretchFinder&&) noexcept = default;
+StretchFinder& StretchFinder::operator=(StretchFinder&&) noexcept = default;
+
+void StretchFinder::push(std::span<const double> samples) {
+    State& s = *state_;
+    s.parts.push(samples);
+    s.pending.insert(s.pending.end(), samples.begin(), samples.end());
+    s.describe(State::End::open);
+}
+
+std::vector<SoundStretch> StretchFinder::finish() {
+    state_->describe(State::End::reached);
+    return std::move(state_->stretches);
 }
 
 }  // namespace stridor::sound

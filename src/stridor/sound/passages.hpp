@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/signal/spectrogram.hpp"
+#include "stridor/sound/features.hpp"
 #include "stridor/sound/onsets.hpp"
 #include "stridor/sound/tones.hpp"
 
@@ -40,6 +41,34 @@ public:
     /// The loudest passage through frames of 5 ms, up to 12 kHz: an impulse is a moment there, and not a stripe. It is
     /// within 0.5 dB of the loudest; without columns where all is silent.
     const signal::Spectrogram& impulses() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The longest stretch that is described as one [s].
+inline constexpr double longest_stretch = 0.5;
+
+/// Cuts one channel into stretches as its samples come, and describes each. What it keeps grows with a few hundred
+/// bytes per half second.
+///
+/// The sound is cut wherever its sustained level, the median over twelve parts of 5 ms, changes by more than 6 dB, and
+/// at the latest after half a second. A median of 60 ms does not see impulses, so they stay in the stretch they belong
+/// to; the going and coming phases of a rig fall into stretches of their own.
+class StretchFinder {
+public:
+    /// `rate` [Hz] of the samples.
+    explicit StretchFinder(double rate);
+    ~StretchFinder();
+    StretchFinder(StretchFinder&&) noexcept;
+    StretchFinder& operator=(StretchFinder&&) noexcept;
+
+    /// Takes the next samples.
+    void push(std::span<const double> samples);
+
+    /// Ends the recording: all stretches, in time. A rest too short to be described is left out.
+    std::vector<SoundStretch> finish();
 
 private:
     struct State;

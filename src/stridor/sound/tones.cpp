@@ -1,17 +1,16 @@
-// Frames of 43 ms, Hann, half overlapped. A line is a local maximum of the power that stands 9 dB above what the
-// half octave around it has, estimated by its geometric mean: that of noise lies e^-gamma below the mean power.
 #include "stridor/sound/tones.hpp"
 
-#include "stridor/signal/bands.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/spectrum.hpp"
 #include "stridor/signal/window.hpp"
-#include "stridor/sound/parabola.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
+// Frames of 43 ms, Hann, half overlapped. A line is a local maximum of the power that stands 9 dB above what the
+// half octave around it has, estimated by its geometric mean: that of noise lies e^-gamma below the mean power.
 namespace stridor::sound {
 
 namespace {
@@ -39,6 +38,13 @@ double place_within(double left, double centre, double right) {
 }
 
 }  // namespace
+
+Summit parabola_summit(double left, double centre, double right) {
+    const double curvature = left - 2.0 * centre + right;
+    if (!(curvature < 0.0)) return {0.0, centre};
+    const double shift = std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5);
+    return {shift, centre - 0.25 * (left - right) * shift};
+}
 
 struct ToneFinder::Line {
     double place = 0.0;   // in bins

@@ -1,6 +1,6 @@
 #include "stridor/sound/tracks.hpp"
 
-#include "stridor/base/whole.hpp"
+#include "stridor/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>

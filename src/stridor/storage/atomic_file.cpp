@@ -4,16 +4,15 @@
 #include "stridor/base/error.hpp"
 #include "stridor/storage/new_file.hpp"
 #include "stridor/storage/system_io.hpp"
-#include "stridor/storage/temporary.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <ctime>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -173,6 +172,18 @@ void make_folder(const std::filesystem::path& folder, const std::string& suggest
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Error(ErrorKind::io, {"cannot make the folder " + folder.string(), error.message(), suggestion});
+}
+
+void expect_ending(const std::string& option, const std::string& file,
+                   std::initializer_list<std::string_view> endings) {
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+    std::string known;
+    for (const std::string_view each : endings)
+        known += (known.empty() ? "" : " or ") + std::string(each);
+    throw Error(ErrorKind::input,
+                {option + " " + file + " has an ending that says nothing", "the ending chooses the format: " + known,
+                 "Name it " + std::filesystem::path(file).replace_extension(*endings.begin()).string() + "."});
 }
 
 }  // namespace stridor::storage

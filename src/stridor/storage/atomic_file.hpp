@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -64,5 +65,9 @@ private:
     std::string pending_;
     std::uint64_t size_ = 0;  // [bytes] pending ones included
 };
+
+/// Throws `Error` (input) for a file of an option whose ending is none of these, which choose its format. A name
+/// without an ending is taken as it is: /dev/stdout, or - for standard output.
+void expect_ending(const std::string& option, const std::string& file, std::initializer_list<std::string_view> endings);
 
 }  // namespace stridor::storage

@@ -1,9 +1,9 @@
 #include "stridor/storage/database.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/checked_files.hpp"
 #include "stridor/storage/hand_over.hpp"
 #include "stridor/storage/new_file.hpp"
-#include "stridor/storage/page_checksum.hpp"
 
 #include <sqlite3.h>
 

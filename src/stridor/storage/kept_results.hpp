@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -57,6 +59,26 @@ private:
     std::mutex mutex_;  // guards what stands below, and the database once it is open
     std::vector<std::pair<std::uint64_t, std::string>> batch_;
     std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
+
+/// Finished parts of a long command, kept in the user's cache folder ($XDG_CACHE_HOME or ~/.cache, stridor/) until the
+/// command ends: the same command goes on from them.
+class CommandCache {
+public:
+    /// `command` names the file, `what` is all that decides the results. Where nothing can be kept (no such folder,
+    /// another process has it) the work is done without, and `note` is told so, as it is told what was found.
+    CommandCache(const std::string& command, const std::string& what,
+                 const std::function<void(const std::string&)>& note);
+
+    /// Nothing where nothing can be kept.
+    KeptResults* results() { return results_.get(); }
+
+    /// The command has its result: removes the file.
+    void finish();
+
+private:
+    std::filesystem::path file_;
+    std::unique_ptr<KeptResults> results_;
 };
 
 }  // namespace stridor::storage

@@ -3,6 +3,7 @@
 #include "stridor/storage/owner_file.hpp"
 #include "stridor/storage/system_io.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +11,17 @@
 
 /// The files beside an owner's with which it is made, and what a kill in the midst of that leaves.
 namespace stridor::storage {
+
+// The text of an owner's file: lines of "key = value".
+
+/// No owner's file is longer.
+inline constexpr std::size_t longest_owner_text = 1024;  // [bytes]
+
+/// Of the same length whatever the count.
+std::string owner_text(const Owner& owner);
+
+/// Reads it; what is not there stays empty.
+Owner read_owner(std::string_view text);
 
 /// Unlike that of any other owner or draft.
 std::string new_mark();

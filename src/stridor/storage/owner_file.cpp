@@ -1,9 +1,8 @@
 #include "stridor/storage/owner_file.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/threads.hpp"
+#include "stridor/base/process.hpp"
 #include "stridor/storage/owner_draft.hpp"
-#include "stridor/storage/owner_text.hpp"
 #include "stridor/storage/system_io.hpp"
 
 #include <fcntl.h>

@@ -4,12 +4,12 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/packed_bytes.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store.hpp"
+#include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>
 #include <cmath>

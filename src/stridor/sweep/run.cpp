@@ -1,7 +1,6 @@
 #include "stridor/sweep/run.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/sweep/agenda.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/study_work.hpp"
 

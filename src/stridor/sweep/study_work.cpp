@@ -1,14 +1,15 @@
 #include "stridor/sweep/study_work.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/packed_bytes.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <memory>
+#include <utility>
 
 namespace stridor::sweep {
 
@@ -58,6 +59,38 @@ Cell unpacked_cell(Unpacking& unpacking) {
 }
 
 }  // namespace
+
+crew::Work simulating_work(std::string text, Simulating compute) {
+    return {std::move(text), [compute = std::move(compute)] {
+                return [compute, workspace = std::make_shared<integration::Workspace>()](const crew::Task& task,
+                                                                                         const std::stop_token& stop) {
+                    return compute(task, stop, *workspace);
+                };
+            }};
+}
+
+void Agenda::add(std::size_t run) {
+    STRIDOR_EXPECT(run < waiting_.size());
+    if (was_added_[run]) return;
+    was_added_[run] = true;
+    waiting_[run] = true;
+    ++left_;
+    cursor_ = std::min(cursor_, run);
+}
+
+std::vector<std::size_t> Agenda::next(std::size_t most) {
+    std::vector<std::size_t> runs;
+    runs.reserve(std::min(most, left_));
+    while (runs.size() < most && left_ > 0) {
+        if (waiting_[cursor_]) {
+            waiting_[cursor_] = false;
+            --left_;
+            runs.push_back(cursor_);
+        }
+        ++cursor_;
+    }
+    return runs;
+}
 
 crew::Work work_of(const Study& study) {
     std::string text = "chart\n" + canonical_text(study) + "results = " + std::to_string(results_version) + "\n";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/storage/page_checksum.hpp"
+#include "stridor/storage/checked_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <algorithm>

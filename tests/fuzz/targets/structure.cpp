@@ -1,6 +1,6 @@
 #include "fuzz/targets/structure_reading.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/structure/calculix_deck.hpp"
+#include "stridor/io/structure/calculix.hpp"
 #include "stridor/io/structure/part_files.hpp"
 
 #include <string>

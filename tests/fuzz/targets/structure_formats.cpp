@@ -1,14 +1,12 @@
 #include "fuzz/targets/structure_reading.hpp"
-#include "stridor/io/structure/abaqus_matrix.hpp"
+#include "stridor/io/structure/abaqus.hpp"
 #include "stridor/io/structure/calculix.hpp"
-#include "stridor/io/structure/calculix_deck.hpp"
 #include "stridor/io/structure/harwell_boeing.hpp"
 #include "stridor/io/structure/matrix_market.hpp"
 #include "stridor/io/structure/nastran/dmig.hpp"
 #include "stridor/io/structure/nastran/output4.hpp"
 #include "stridor/io/structure/nastran/output4_binary.hpp"
-#include "stridor/io/structure/row_labels_csv.hpp"
-#include "stridor/io/structure/user_element.hpp"
+#include "stridor/io/structure/row_labels.hpp"
 
 #include <string>
 #include <vector>

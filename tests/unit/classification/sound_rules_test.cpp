@@ -1,7 +1,7 @@
 #include "stridor/classification/sound_rules.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/classification/confusion.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/sound/analysis.hpp"
 

@@ -1,7 +1,7 @@
 #include "stridor/cluster/hand.hpp"
 
-#include "stridor/cluster/hello.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/cluster/messages.hpp"
+#include "stridor/crew/crew.hpp"
 #include "unit/cluster/invented_crew.hpp"
 
 #include <gtest/gtest.h>

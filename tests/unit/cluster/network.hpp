@@ -2,7 +2,6 @@
 
 #include "stridor/cluster/hand.hpp"
 #include "stridor/cluster/post.hpp"
-#include "stridor/cluster/timing.hpp"
 #include "unit/cluster/invented_crew.hpp"
 
 #include <deque>

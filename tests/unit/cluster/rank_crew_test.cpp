@@ -1,7 +1,7 @@
 #include "stridor/cluster/rank_crew.hpp"
 
-#include "stridor/cluster/hello.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/cluster/messages.hpp"
+#include "stridor/crew/crew.hpp"
 #include "support/error_text.hpp"
 #include "unit/cluster/network.hpp"
 

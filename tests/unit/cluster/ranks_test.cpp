@@ -2,7 +2,7 @@
 // ranks: the cells are those of one process. STRIDOR_CLUSTER_SEEDS=10000 looks further.
 
 #include "stridor/cluster/rank_crew.hpp"
-#include "stridor/crew/compute.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "unit/cluster/network.hpp"

@@ -1,5 +1,4 @@
-#include "stridor/console/completion.hpp"
-#include "stridor/console/manual.hpp"
+#include "stridor/console/command.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
 #include "stridor/hearing/hearing.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/hearing_run.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_study.hpp"
 

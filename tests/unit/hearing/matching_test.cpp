@@ -1,6 +1,5 @@
-#include "stridor/hearing/matching.hpp"
-
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/hearing/sound_search.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
 

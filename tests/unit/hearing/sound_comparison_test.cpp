@@ -2,7 +2,7 @@
 
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>

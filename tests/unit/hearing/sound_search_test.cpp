@@ -1,7 +1,6 @@
 #include "stridor/hearing/sound_search.hpp"
 
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/hearing_run.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/resample.hpp"

@@ -7,7 +7,7 @@
 #include "stridor/io/simulation/friction_test.hpp"
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/io/sound/named_sound.hpp"
-#include "stridor/io/sound/signal_output.hpp"
+#include "stridor/io/sound/signal_report.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/error_text.hpp"

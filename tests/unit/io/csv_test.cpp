@@ -2,7 +2,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/chart/chart_csv.hpp"
-#include "stridor/io/simulation/motion_csv.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 
 #include <gtest/gtest.h>
 

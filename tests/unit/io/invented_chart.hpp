@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/sweep/cell.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/cell.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "support/expected_error.hpp"

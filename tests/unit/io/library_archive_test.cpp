@@ -1,9 +1,9 @@
 #include "stridor/io/library/library_archive.hpp"
 
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 #include "stridor/io/library/archive_manifest.hpp"
 #include "stridor/io/library/tar.hpp"
-#include "stridor/io/sound/json_verdict.hpp"
+#include "stridor/io/sound/json_sound.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "support/bit_flips.hpp"
 #include "support/counter_random.hpp"

@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/io/library/library_archive.hpp"
 #include "stridor/noise_library/field.hpp"
-#include "stridor/storage/page_checksum.hpp"
+#include "stridor/storage/checked_files.hpp"
 #include "support/bit_flips.hpp"
 #include "support/error_text.hpp"
 #include "unit/noise_library/library_folder.hpp"

@@ -1,5 +1,5 @@
-#include "stridor/io/library/csv_library.hpp"
-#include "stridor/io/library/json_library.hpp"
+#include "stridor/io/library/library_texts.hpp"
+
 #include "stridor/noise_library/field.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/io/chart/chart_netcdf.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/io/simulation/motion_netcdf.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>

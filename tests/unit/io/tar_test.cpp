@@ -1,6 +1,6 @@
 #include "stridor/io/library/tar.hpp"
 
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"

@@ -3,7 +3,7 @@
 #include "io_support.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/storage/atomic_file.hpp"

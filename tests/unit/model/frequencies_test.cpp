@@ -2,7 +2,7 @@
 
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
-#include "stridor/verification/sliding.hpp"
+#include "stridor/verification/table_1.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

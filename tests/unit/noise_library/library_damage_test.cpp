@@ -4,7 +4,7 @@
 #include "stridor/noise_library/entry_rows.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/library.hpp"
-#include "stridor/storage/page_checksum.hpp"
+#include "stridor/storage/checked_files.hpp"
 #include "support/bit_flips.hpp"
 #include "support/error_text.hpp"
 #include "support/wait.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
+#include "stridor/noise_library/add_recordings.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/library.hpp"
-#include "stridor/noise_library/recording.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>

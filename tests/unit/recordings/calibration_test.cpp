@@ -1,7 +1,7 @@
 #include "stridor/recordings/calibration.hpp"
 
-#include "stridor/recordings/rate.hpp"
 #include "stridor/recordings/sidecar.hpp"
+#include "stridor/recordings/time_grid.hpp"
 #include "support/expected_error.hpp"
 
 #include <gtest/gtest.h>

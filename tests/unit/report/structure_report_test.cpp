@@ -2,7 +2,7 @@
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/report/design_report.hpp"
-#include "stridor/report/report_chart.hpp"
+#include "stridor/report/design_results.hpp"
 #include "stridor/report/structure_sketch.hpp"
 #include "stridor/report/timed_parts.hpp"
 

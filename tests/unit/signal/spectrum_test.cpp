@@ -1,7 +1,6 @@
 #include "stridor/signal/spectrum.hpp"
 
 #include "stridor/base/elementary.hpp"
-#include "stridor/signal/bands.hpp"
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/level.hpp"
 #include "stridor/signal/perturb.hpp"

@@ -1,6 +1,5 @@
-#include "stridor/storage/file_ending.hpp"
-
 #include "stridor/base/error.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>

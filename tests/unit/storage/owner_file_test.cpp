@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/storage/owner_text.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/wait.hpp"

@@ -3,8 +3,8 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "stridor/storage/owner_file.hpp"
-#include "stridor/storage/owner_text.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <fcntl.h>

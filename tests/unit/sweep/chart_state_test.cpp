@@ -1,9 +1,9 @@
 #include "stridor/sweep/store/chart_state.hpp"
 
-#include "stridor/storage/owner_text.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/merge.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "support/small_study.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "stridor/sweep/store/merge.hpp"
 
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/storage/owner_text.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "support/error_text.hpp"
 #include "support/small_study.hpp"
 

@@ -3,7 +3,7 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/expected_error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What becomes of a store whose bytes changed: the cells that were written, or an error, for each bit of it.
 
 #include "stridor/base/error.hpp"
-#include "stridor/storage/page_checksum.hpp"
+#include "stridor/storage/checked_files.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "support/bit_flips.hpp"

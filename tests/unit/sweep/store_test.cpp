@@ -1,7 +1,7 @@
 #include "stridor/sweep/store/store.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/storage/owner_text.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 #include "support/small_study.hpp"

@@ -5,7 +5,7 @@
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 #include "support/small_study.hpp"
@@ -263,7 +263,7 @@ TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
               "stridor simulate 'my chart'\\''s.toml' --set contact.preload=2 --set contact.kinetic_friction=0.8");
 }
 
-// what paper_charts.hpp says of them; every cell is a case that can be run
+// what ready_charts.hpp says of them; every cell is a case that can be run
 TEST(PaperCharts, HoldTheRangesTheyPromise) {
     EXPECT_EQ(cell_count(figure_8()), 2U * 40U * 40U);
     EXPECT_EQ(cell_count(figure_6(70.0)), 30U * 30U);

@@ -1,8 +1,10 @@
 #include "stridor/console/results/evaluation_text.hpp"
 
-#include "stridor/hearing/recording_score.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/hearing/heard_recordings.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -256,6 +258,16 @@ std::string evaluation_text(const io::HearingReport& report) {
     if (!report.charts.empty() && report.options.perturb_every > 0) text += perturbed_text(report);
     if (!report.recordings.empty()) text += (text.empty() ? "" : "\n") + recordings_text(report.recordings);
     return text;
+}
+
+std::string check_heading() {
+    return fmt::format("  {:<46}{:>14}{:>14}{:>12}{:>10}\n", "", "expected", "computed", "difference", "tolerance");
+}
+
+std::string check_row(const verification::Check& check) {
+    return fmt::format("  {:<46}{:>14.7g}{:>14.7g}{:>12.2e}{:>10.1e}  {}\n", check.name, check.expected, check.computed,
+                       check.computed - check.expected, check.tolerance,
+                       check.passes() ? "ok" : styled("FAILS", Style::red, STDOUT_FILENO));
 }
 
 }  // namespace stridor::console

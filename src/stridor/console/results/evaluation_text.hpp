@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/io/sound/hearing_report.hpp"
+#include "stridor/verification/check.hpp"
 
 #include <string>
 
@@ -8,5 +9,11 @@ namespace stridor::console {
 
 /// The tables of an evaluation as people read them.
 std::string evaluation_text(const io::HearingReport& report);
+
+/// The head of the table of checks.
+std::string check_heading();
+
+/// A row of it: name, expected and computed number, their difference, tolerance, and whether it passes.
+std::string check_row(const verification::Check& check);
 
 }  // namespace stridor::console

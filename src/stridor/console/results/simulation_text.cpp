@@ -1,6 +1,6 @@
 #include "stridor/console/results/simulation_text.hpp"
 
-#include "stridor/analysis/levels.hpp"
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/interface_rules.hpp"

@@ -44,6 +44,16 @@ Response stability(const World& world, const Json& body, const std::stop_token& 
 /// The case, or the chart where the body has one, as a TOML file.
 Response toml(const World& world, const Json& body, const std::stop_token& stop);
 
+/// Advice on a case, as `advise --json` has it.
+Response advice(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.design/1": the headline of a case, judged both ways and from every start, and, where the body asks for
+/// `around`, what lies close to it; "ranges" has those of its quantities.
+Response design(const World& world, const Json& body, const std::stop_token& stop);
+
+/// The report on a design as an HTML file.
+Response report(const World& world, const Json& body, const std::stop_token& stop);
+
 // answers_motion.cpp
 /// Trace and contact histories of a case in bytes: the length of a JSON header, the header, then the columns as it
 /// says.
@@ -81,16 +91,5 @@ Response analysis(const World& world, const Json& body, const std::stop_token& s
 
 /// What stands at /api/library and below; nothing for a path that means nothing.
 std::optional<Response> library(const World& world, std::string_view path);
-
-// answers_advice.cpp
-/// Advice on a case, as `advise --json` has it.
-Response advice(const World& world, const Json& body, const std::stop_token& stop);
-
-/// "stridor.design/1": the headline of a case, judged both ways and from every start, and, where the body asks for
-/// `around`, what lies close to it; "ranges" has those of its quantities.
-Response design(const World& world, const Json& body, const std::stop_token& stop);
-
-/// The report on a design as an HTML file.
-Response report(const World& world, const Json& body, const std::stop_token& stop);
 
 }  // namespace stridor::explorer

@@ -1,6 +1,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers/answers.hpp"
-#include "stridor/explorer/bytes.hpp"
+#include "stridor/explorer/sent_columns.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/refinement.hpp"

@@ -1,6 +1,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers/answers.hpp"
-#include "stridor/io/library/json_library.hpp"
+#include "stridor/io/library/library_texts.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/recordings/open_signal.hpp"

@@ -1,6 +1,5 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers/answers.hpp"
-#include "stridor/explorer/bytes.hpp"
 #include "stridor/explorer/sent_columns.hpp"
 #include "stridor/parameters/own_structure.hpp"
 

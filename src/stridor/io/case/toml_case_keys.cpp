@@ -7,7 +7,7 @@
 #include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/parameters/temperature_table.hpp"
-#include "stridor/sweep/soft_parts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>
 #include <cstddef>

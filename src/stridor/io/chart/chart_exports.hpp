@@ -1,10 +1,11 @@
 #pragma once
 
-#include "stridor/sweep/cell_figures.hpp"
+#include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,5 +56,10 @@ std::vector<std::string> picture_endings(const ChartExports& exports);
 
 /// The names of what is written, store and chart.toml included: "chart.png".
 std::vector<std::string> file_names(const ChartExports& exports, const sweep::Study& study);
+
+/// Writes what is asked for of the tables of a chart into its folder: chart.csv, boundaries.csv, chart.nc and
+/// chart.zarr. Throws `Error` (io).
+void write_chart_tables(const sweep::SweepResult& result, const std::filesystem::path& folder,
+                        const ChartExports& exports);
 
 }  // namespace stridor::io

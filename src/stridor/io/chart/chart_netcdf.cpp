@@ -8,7 +8,7 @@
 #include "stridor/io/netcdf_library.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/storage/whole_folder.hpp"
+#include "stridor/storage/new_file.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

@@ -91,7 +91,7 @@ std::string axis_json(const sweep::Axis& axis) {
 
 std::string chart_json(const sweep::SweepResult& result) {
     const sweep::Study& study = result.study;
-    Json document = opening("chart", study.base);
+    Json document = json_parts::opening("chart", study.base);
     Json directions = Json::array();
     for (const parameters::Direction direction : study.directions)
         directions.push_back(name_of(parameters::direction_names, direction));

@@ -5,7 +5,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/complaints.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 #include "stridor/io/library/tar.hpp"
 #include "stridor/noise_library/audio_folder.hpp"
 #include "stridor/noise_library/entry.hpp"

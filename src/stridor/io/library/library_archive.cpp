@@ -1,9 +1,9 @@
 #include "stridor/io/library/library_archive.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/sha256.hpp"
+#include "stridor/base/hash.hpp"
 #include "stridor/io/library/archive_manifest.hpp"
-#include "stridor/io/sound/json_verdict.hpp"
+#include "stridor/io/sound/json_sound.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "stridor/noise_library/add_recordings.hpp"
 #include "stridor/noise_library/check.hpp"
-#include "stridor/noise_library/recording.hpp"
 
 #include <cstddef>
 #include <cstdint>

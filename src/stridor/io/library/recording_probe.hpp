@@ -1,8 +1,9 @@
 #pragma once
 
-#include "stridor/io/library/recording_facts.hpp"
+#include "stridor/noise_library/add_recordings.hpp"
+#include "stridor/noise_library/entry.hpp"
 #include "stridor/noise_library/library.hpp"
-#include "stridor/noise_library/recording.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,15 @@
 /// What a recording tells of itself when it comes into a library: its own words, what is heard in it, what was
 /// measured.
 namespace stridor::io {
+
+/// Is told what is noteworthy, a sentence at a time.
+using Notes = std::function<void(const std::string& sentence)>;
+
+/// Puts what the file says of itself where the user said nothing, and tells what and from where. Of a simulated sound
+/// the case that came along says what it was like.
+///
+/// Throws `Error` (input) for a simulated sound that is said to be a recording.
+void take_facts(const recordings::SignalFacts& facts, noise_library::Entry& entry, const Notes& note);
 
 /// Is a verdict made by ear, or none?
 enum class Judging { by_ear, none };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/simulation/json_friction.hpp"
+#include "stridor/analysis/friction_trace.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <functional>
@@ -8,6 +8,22 @@
 
 /// Friction coefficients out of a rig's recording, and into a case.
 namespace stridor::io {
+
+/// What a friction trace was measured with, as far as it is known.
+struct FrictionTest {
+    std::string file;
+    std::string channel;           // of the friction force
+    std::string velocity_channel;  // empty: none
+    std::string normal_channel;    // empty: none
+    double rate = 0.0;             // [Hz]
+    double duration = 0.0;         // [s]
+    double preload = 0.0;          // [N]
+    double velocity = 0.0;         // [m/s] nominal or the 95th percentile of the measured one; NaN where unknown
+    std::string condition;         // of a standard test, in words; may be empty
+};
+
+/// "stridor.friction/1": coefficients and drops of a friction trace.
+std::string friction_json(const FrictionTest& test, const analysis::FrictionTrace& trace);
 
 /// A recording and what is known of it, as a command line says it; quantities carry their units.
 struct FrictionTexts {

@@ -1,10 +1,10 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 
-#include "stridor/analysis/evidence_figures.hpp"
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/io/json_parts.hpp"
-#include "stridor/io/simulation/dof_names.hpp"
+#include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <complex>

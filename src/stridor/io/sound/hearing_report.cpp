@@ -2,7 +2,7 @@
 
 #include "stridor/base/csv_text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/hearing/recording_score.hpp"
+#include "stridor/hearing/heard_recordings.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/json_parts.hpp"

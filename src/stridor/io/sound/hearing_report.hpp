@@ -1,7 +1,6 @@
 #pragma once
 
-#include "stridor/classification/confusion.hpp"
-#include "stridor/hearing/heard_cases.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/hearing/heard_recordings.hpp"
 #include "stridor/hearing/hearing_run.hpp"
 #include "stridor/sweep/ready_charts.hpp"

@@ -9,15 +9,18 @@
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/json_parts.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
+#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/sweep/cell_choice.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -101,7 +104,36 @@ std::vector<sound::Stretch> stretches_in(const ListeningTexts& texts, const para
     return found;
 }
 
+constexpr double loudest = 0.89125094;  // [1] of full scale: -1 dB
+
 }  // namespace
+
+std::string listen_json(const parameters::Case& c, const SoundInfo& sound) {
+    base::Json document = json_parts::opening("listen", c);
+    document["sound"] = {{"file", base::text_or_null(sound.file)},
+                         {"player", base::text_or_null(sound.player)},
+                         {"cell", base::text_or_null(sound.cell)},
+                         {"origin", "simulation"},
+                         {"of", sound.of},
+                         {"component", base::text_or_null(sound.component)},
+                         {"quantity", sound.quantity},
+                         {"direction", sound.direction},
+                         {"part", sound.part},
+                         {"rate", sound.rate},
+                         {"duration", sound.duration},
+                         {"high_pass", sound.high_pass},
+                         {"level", sound.level},
+                         {"peak", sound.peak},
+                         {"rms", sound.rms},
+                         {"full_scale", sound.full_scale}};
+    base::Json units = json_parts::case_units(c);
+    for (const char* key : {"peak", "rms", "full_scale"})
+        units[std::string("sound.") + key] = sound.unit;
+    units["sound.rate"] = units["sound.high_pass"] = "Hz";
+    units["sound.duration"] = "s";
+    document["units"] = units;
+    return base::text_of(document);
+}
 
 ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source) {
     if (texts.direction.empty() && !texts.cell.empty())
@@ -185,6 +217,21 @@ std::string motion_words(const SoundInfo& info) {
 
 std::string sound_description(const SoundInfo& info, const parameters::Case& c) {
     return fmt::format("simulated by stridor {}: {}; {}", base::version(), motion_words(info), c.title);
+}
+
+void write_simulated_wav(const std::string& file, const hearing::SimulatedSound& simulated, double rate,
+                         const hearing::AskedMotion& motion, const std::stop_token& stop) {
+    const hearing::HeardMotion heard = hearing::heard_motion(simulated.c, motion, stop);
+    sound::AuralisationSettings settings;
+    settings.pickup = heard.pickup;
+    settings.rate = rate;
+    settings.stretches = simulated.stretches;
+    const std::unique_ptr<hearing::RenderedSound> sound = hearing::render(simulated.c, settings, stop, [](double) {});
+    const double full_scale = sound->peak() > 0.0 ? sound->peak() / loudest : 1.0;
+    recordings::write_wav(file, *sound,
+                          {recordings::WavSamples::pcm_24,
+                           {{full_scale, sound::unit_of(settings.pickup.quantity)}},
+                           "simulated by stridor: " + hearing::motion_words(heard)});
 }
 
 }  // namespace stridor::io

@@ -2,16 +2,40 @@
 
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
+#include "stridor/hearing/sound_comparison.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/sound/json_listen.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/sound/auralisation.hpp"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 /// Which motion is made audible, and how loud, as a command line says it.
 namespace stridor::io {
+
+/// A sound that was made of a simulated motion.
+struct SoundInfo {
+    std::string file;         // empty: it was played
+    std::string player;       // the program that plays it; empty: it was written
+    std::string cell;         // of which chart's cell, in words; empty: of a case
+    std::string of;           // "joint", "plate", or a name
+    std::string component;    // "x": along, "y": across the contact; empty: of a row
+    std::string quantity;     // "velocity", "acceleration"
+    std::string direction;    // "whole", "going", "coming"
+    std::string part;         // "all", "judged"
+    std::string level;        // "normalised", "absolute"
+    std::string unit;         // of peak, rms and full_scale
+    double rate = 0.0;        // [Hz]
+    double duration = 0.0;    // [s]
+    double high_pass = 0.0;   // [Hz]
+    double peak = 0.0;        // [unit]
+    double rms = 0.0;         // [unit]
+    double full_scale = 1.0;  // [unit] the largest number of the file
+};
+
+/// "stridor.listen/1": the case and what was made of it.
+std::string listen_json(const parameters::Case& c, const SoundInfo& sound);
 
 /// The texts of `stridor listen`; quantities carry their units.
 struct ListeningTexts {
@@ -59,5 +83,12 @@ std::string motion_words(const SoundInfo& info);
 
 /// What a file of it says in its description.
 std::string sound_description(const SoundInfo& info, const parameters::Case& c);
+
+/// Writes the heard stretches of a simulated motion as WAV of 24 bits, `rate` samples a second [Hz], the loudest at -1
+/// dB of full scale; the file says what its full scale stands for.
+///
+/// Throws what `hearing::heard_motion` and `hearing::render` throw, and `Error` (io).
+void write_simulated_wav(const std::string& file, const hearing::SimulatedSound& simulated, double rate,
+                         const hearing::AskedMotion& motion, const std::stop_token& stop);
 
 }  // namespace stridor::io

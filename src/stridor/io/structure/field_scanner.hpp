@@ -1,15 +1,16 @@
 #pragma once
 
-// Fields of a line of numbers, whatever parts them. Private to this folder.
-
 #include "stridor/base/error.hpp"
 #include "stridor/recordings/line_reader.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+// Fields of a line of numbers, whatever parts them. Private to this folder.
 namespace stridor::io::structure {
 
 /// A file of matrices or labels: its bytes, and what messages call it.
@@ -52,5 +53,19 @@ private:
     std::size_t at_ = 0;
     std::size_t begin_ = 0;  // of the last word
 };
+
+/// Fields of a Fortran format: "(10I8)", "1P,3E23.16", "(d25.15)", "(1X,8I9)", "(3(1P,E24.16))". Numbers that fill
+/// their columns touch each other.
+struct FortranFormat {
+    std::size_t count = 1;    // [1] on a line
+    std::size_t width = 0;    // [1] columns of each
+    std::size_t skipped = 0;  // [1] columns before the first
+};
+
+/// Nothing for what is no such format, or one of fields wider than 60 columns.
+std::optional<FortranFormat> fortran_format(std::string_view text);
+
+/// The fields of a line, blanks cut off; no empty ones at the end.
+std::vector<std::string_view> fields_of(std::string_view line, const FortranFormat& format);
 
 }  // namespace stridor::io::structure

@@ -1,10 +1,10 @@
 #include "stridor/io/structure/harwell_boeing.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/structure/fortran_format.hpp"
-#include "stridor/io/structure/row_labels_csv.hpp"
-#include "stridor/recordings/fortran_text.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/io/structure/field_scanner.hpp"
+#include "stridor/io/structure/row_labels.hpp"
+#include "stridor/recordings/line_reader.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "stridor/io/structure/matrix_market.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/structure/calculix_deck.hpp"
+#include "stridor/io/structure/calculix.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/storage/atomic_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "stridor/io/structure/numpy_array.hpp"
 
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

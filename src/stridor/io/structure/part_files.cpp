@@ -1,7 +1,7 @@
 #include "stridor/io/structure/part_files.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/structure/abaqus_matrix.hpp"
+#include "stridor/io/structure/abaqus.hpp"
 #include "stridor/io/structure/calculix.hpp"
 #include "stridor/io/structure/chosen_matrices.hpp"
 #include "stridor/io/structure/harwell_boeing.hpp"
@@ -11,10 +11,8 @@
 #include "stridor/io/structure/nastran/output4_binary.hpp"
 #include "stridor/io/structure/numpy_array.hpp"
 #include "stridor/io/structure/numpy_matrix.hpp"
-#include "stridor/io/structure/row_labels_csv.hpp"
-#include "stridor/io/structure/user_element.hpp"
-#include "stridor/io/structure/zip_members.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/io/structure/row_labels.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,13 @@
 
 #include "stridor/base/confined_process.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/hash.hpp"
 #include "stridor/base/packed_bytes.hpp"
-#include "stridor/base/sha256.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/netcdf_library.hpp"
-#include "stridor/io/structure/set_table.hpp"
+#include "stridor/io/structure/row_labels.hpp"
 #include "stridor/recordings/bytes.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <fmt/format.h>

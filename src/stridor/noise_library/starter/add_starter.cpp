@@ -6,7 +6,7 @@
 #include "stridor/noise_library/entry_filler.hpp"
 #include "stridor/noise_library/starter/starter_noises.hpp"
 #include "stridor/recordings/audio/wav.hpp"
-#include "stridor/storage/temporary.hpp"
+#include "stridor/storage/new_file.hpp"
 
 #include <fmt/format.h>
 

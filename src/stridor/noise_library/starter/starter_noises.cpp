@@ -3,7 +3,7 @@
 
 #include "stridor/noise_library/starter/starter_noises.hpp"
 
-#include "stridor/sweep/soft_parts.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 
 #include <initializer_list>
 

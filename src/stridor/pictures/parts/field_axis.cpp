@@ -10,17 +10,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace stridor::pictures {
 
 namespace {
-
-std::string spelled(std::string_view name) {
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
-}
 
 drawing::StyledText value_of(const parameters::Case& c, std::string_view key) {
     const parameters::Field& field = *parameters::field_of(key);
@@ -50,6 +43,12 @@ drawing::StyledText followers(const parameters::Case& c) {
 }
 
 }  // namespace
+
+std::string spelled(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
 
 std::vector<double> cell_edges(const sweep::Axis& axis) {
     STRIDOR_EXPECT(axis.points >= 2);

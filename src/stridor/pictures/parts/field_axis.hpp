@@ -5,6 +5,7 @@
 #include "stridor/sweep/study.hpp"
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::vector<double> cell_edges(const sweep::Axis& axis);
 /// The axis of a chart: name, symbol, unit and scale of the quantity, after the name of the joint if it is of one; from
 /// the first cell's edge to the last one's.
 drawing::PanelAxis field_axis(const sweep::Axis& axis);
+
+/// Returns a name in words: "early ending" for "early_ending".
+std::string spelled(std::string_view name);
 
 /// Name and symbol of a field: "kinetic friction μ_d".
 drawing::StyledText field_label(const parameters::Field& field);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/drawing/scene.hpp"
 #include "stridor/sound/analysis.hpp"
 

@@ -1,10 +1,10 @@
 #include "stridor/recordings/audio/audio.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/recordings/audio/mp3_frames.hpp"
+#include "stridor/recordings/audio/compressed_audio.hpp"
 #include "stridor/recordings/audio/riff.hpp"
 #include "stridor/recordings/audio/wav.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <sndfile.h>
 

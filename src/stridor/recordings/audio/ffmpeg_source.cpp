@@ -1,11 +1,12 @@
 #include "stridor/recordings/audio/ffmpeg_source.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -16,6 +17,20 @@
 namespace stridor::recordings {
 
 namespace {
+
+constexpr std::size_t largest_piece = std::size_t{1} << 28U;  // [bytes] of memory
+
+struct SetUpFfmpeg : Ffmpeg {
+    const bool is_whole = avformat.is_whole() && avcodec.is_whole() && avutil.is_whole() && swresample.is_whole();
+
+    SetUpFfmpeg() {
+        if (!is_whole) return;
+        av_log_set_level(AV_LOG_QUIET);
+        av_max_alloc(largest_piece);
+        // assembly for one processor or another rounds otherwise
+        av_force_cpu_flags(0);
+    }
+};
 
 // what phones and browsers record with
 constexpr std::array known_codecs{
@@ -277,6 +292,11 @@ private:
 };
 
 }  // namespace
+
+const Ffmpeg* ffmpeg_library() {
+    static const SetUpFfmpeg opened;
+    return opened.is_whole ? &opened : nullptr;
+}
 
 RawSignal open_with_ffmpeg(const Ffmpeg& ffmpeg, const SignalInput& input, const std::string& kind,
                            const std::string& demuxer) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "stridor/recordings/calibration.hpp"
-#include "stridor/signal/signal.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <cstddef>

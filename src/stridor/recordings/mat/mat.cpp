@@ -6,14 +6,13 @@
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/mat/mat_choice.hpp"
 #include "stridor/recordings/mat/mat_header.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/signal_csv_header.hpp"
 #include "stridor/recordings/time_grid.hpp"
 
 #if STRIDOR_HAS_MATIO
 #    include "stridor/recordings/mat/matio_answers.hpp"
-#    include "stridor/recordings/mat/matio_library.hpp"
-#    include "stridor/storage/temporary.hpp"
+#    include "stridor/storage/new_file.hpp"
 #endif
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "stridor/recordings/mat/mat_choice.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/rate.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/signal_csv_header.hpp"
 #include "stridor/recordings/table/table_start.hpp"
+#include "stridor/recordings/time_grid.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 // 2019, chapters 1 and 2.
 
 #include "stridor/recordings/mat/mat_answers.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <algorithm>
 #include <array>

@@ -182,6 +182,11 @@ void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Fou
 
 }  // namespace
 
+const Matio* matio_library() {
+    static const Matio opened;
+    return opened.library.is_whole() ? &opened : nullptr;
+}
+
 void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& channel) {
     mat_t* file = matio.open(ConfinedProcess::file_path, MAT_ACC_RDONLY);
     if (file == nullptr) return send(channel, mat::Opened{});

@@ -2,7 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/calibration.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/table_start.hpp"
 
 #include <algorithm>

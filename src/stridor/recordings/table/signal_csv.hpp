@@ -1,7 +1,9 @@
 #pragma once
 
 #include "stridor/recordings/raw_signal.hpp"
+#include "stridor/signal/source.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,5 +20,9 @@ namespace stridor::recordings {
 /// Throws `Error` (input) with line and column for whatever does not fit.
 RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate = std::nullopt,
                           const std::string& wanted = "");
+
+/// Writes a table of signals: a first line with the schema "stridor.signal/1" and the exact rate, names with units,
+/// then a row per frame with its time. Numbers are the shortest that read back as the same doubles. Returns the frames.
+std::uint64_t write_signal_csv(const std::string& path, signal::Source& source);
 
 }  // namespace stridor::recordings

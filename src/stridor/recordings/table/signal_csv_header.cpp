@@ -4,9 +4,9 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/calibration.hpp"
-#include "stridor/recordings/rate.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/table_start.hpp"
+#include "stridor/recordings/time_grid.hpp"
 
 #include <algorithm>
 #include <array>

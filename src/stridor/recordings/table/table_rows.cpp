@@ -1,7 +1,7 @@
 #include "stridor/recordings/table/table_rows.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <algorithm>

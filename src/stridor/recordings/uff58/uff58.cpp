@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/line_reader.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/uff58/uff58_header.hpp"
 
 #include <algorithm>

@@ -2,11 +2,10 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/calibration.hpp"
-#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
-#include "stridor/recordings/rate.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
+#include "stridor/recordings/time_grid.hpp"
 
 #include <algorithm>
 #include <charconv>

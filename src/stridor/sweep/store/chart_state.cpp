@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/store/merge.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/store/store.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "stridor/storage/owner_file.hpp"
 #include "stridor/storage/system_io.hpp"
 #include "stridor/sweep/refinement.hpp"
-#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/store/store.hpp"
 
 #include <fcntl.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stridor/storage/database.hpp"
+#include "stridor/storage/new_file.hpp"
 #include "stridor/storage/owner_file.hpp"
-#include "stridor/storage/temporary.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/io/structure/mode_files.hpp"
 
 #include "stridor/base/elementary.hpp"
-#include "stridor/io/structure/calculix_deck.hpp"
+#include "stridor/io/structure/calculix.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "structure_texts.hpp"
 #include "support/scratch_folder.hpp"

@@ -2,9 +2,8 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "stridor/io/case/own_structure/structure_contacts.hpp"
 
-#include "stridor/io/structure/row_labels_csv.hpp"
-#include "stridor/recordings/fortran_text.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/io/structure/row_labels.hpp"
+#include "stridor/recordings/line_reader.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
 #include <Eigen/Geometry>

@@ -4,7 +4,7 @@
 #include "stridor/io/structure/part_files.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
 #include "stridor/recordings/line_reader.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
 #include <fmt/format.h>

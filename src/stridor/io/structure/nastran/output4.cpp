@@ -1,8 +1,8 @@
 #include "stridor/io/structure/nastran/output4.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/structure/fortran_format.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/io/structure/field_scanner.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

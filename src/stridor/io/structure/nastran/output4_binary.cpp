@@ -12,7 +12,7 @@
 #include "stridor/io/structure/nastran/output4_binary.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/noise_library/sensitivity.hpp"
+
+#include <string>
+
+namespace stridor::console {
+
+/// "0.4213 +- 0.0012"; "-" where it was not measured.
+std::string coefficient_text(const analysis::MeasuredCoefficient& coefficient);
+
+/// Coefficients and force drops by direction, and what they were measured with.
+std::string friction_text(const io::FrictionTest& test, const analysis::FrictionTrace& trace);
+
+/// What the rows of the table are: bins of the quantity, or single records.
+enum class SensitivityRows { bins, records };
+
+/// How category, level and frequency move over a quantity: bins or single records, ranges, rank correlations.
+std::string sensitivity_text(const noise_library::Sensitivity& result, SensitivityRows rows);
+
+}  // namespace stridor::console

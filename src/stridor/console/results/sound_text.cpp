@@ -1,0 +1,263 @@
+#include "stridor/console/results/sound_text.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/hearing/run_sound.hpp"
+#include "stridor/io/sound/listening_texts.hpp"
+#include "stridor/signal/level.hpp"
+#include "stridor/signal/spectrum.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace stridor::console {
+
+namespace {
+
+using classification::RecordingVerdict;
+using classification::SoundSegment;
+
+std::string joined(const std::vector<std::string>& reasons) {
+    std::string text;
+    for (std::size_t k = 0; k < reasons.size(); ++k)
+        text += (k > 0 ? "; " : "") + reasons[k];
+    return text;
+}
+
+std::string segment_reasons(const SoundSegment& segment) {
+    std::string text = fmt::format("\n{:.3f} s to {:.3f} s, {}: {}\n", segment.from, segment.to,
+                                   classification::name(segment.verdict.category), joined(segment.verdict.reasons));
+    if (segment.impulse_interval > 0.0)
+        text += fmt::format("    {} impulses, {:.1f} ms apart (median), intervals regular to {:.2f}\n",
+                            segment.impulses.size(), 1e3 * segment.impulse_interval, segment.impulse_regularity);
+    for (const classification::Margin& margin : segment.verdict.margins)
+        if (std::isfinite(margin.figure))
+            text += styled(
+                fmt::format("    {:<20} {:>9.4g}  threshold {:<19} {:>7.4g}  distance {:+.4g}\n", margin.figure_name,
+                            margin.figure, margin.threshold_name, margin.threshold, margin.distance),
+                Style::dim, STDOUT_FILENO);
+    return text;
+}
+
+// long recordings have hundreds of segments: each category is explained by its loudest
+std::string explanations(const RecordingVerdict& verdict) {
+    std::string text;
+    for (std::size_t k = 0; k < classification::category_names.size(); ++k) {
+        const SoundSegment* loudest = nullptr;
+        for (const SoundSegment& segment : verdict.segments)
+            if (static_cast<std::size_t>(segment.verdict.category) == k &&
+                (loudest == nullptr || segment.mean_square > loudest->mean_square))
+                loudest = &segment;
+        if (loudest != nullptr) text += segment_reasons(*loudest);
+    }
+    return text;
+}
+
+using sound::SoundAnalysis;
+
+std::string levels_text(const SoundAnalysis& analysis) {
+    const double reference = signal::reference_of(analysis.unit);
+    return fmt::format("levels [{}]: mean {:.1f}, greatest fast {:.1f}, peak {:.1f} ({:.4g} {})\n",
+                       signal::level_unit(analysis.unit), signal::level_of(analysis.mean_square, reference),
+                       analysis.level.greatest, signal::level_of(analysis.peak * analysis.peak, reference),
+                       analysis.peak, analysis.unit);
+}
+
+std::string weighted_text(const SoundAnalysis& analysis) {
+    const double reference = signal::reference_of(analysis.unit);
+    const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
+    std::string text =
+        fmt::format("A-weighted: mean {:.1f} dB(A), loudest frame {:.1f} dB(A)\n",
+                    signal::level_of(signal::mean_square_between(weighted, 0.0, 0.5 * analysis.rate), reference),
+                    signal::level_of(analysis.greatest_weighted, reference));
+    if (analysis.unit != "Pa")
+        text += "(the signal is no calibrated sound pressure: dB(A) re " + signal::level_unit(analysis.unit).substr(6) +
+                ")\n";
+    return text;
+}
+
+std::string peaks_text(const SoundAnalysis& analysis) {
+    const auto peaks = signal::strongest_peaks(analysis.spectrum);
+    if (peaks.empty()) return "no peak of the spectrum stands out by 10 dB\n";
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text = "strongest peaks of the spectrum:\n";
+    for (const signal::SpectrumPeak& peak : peaks)
+        text += fmt::format("{:>11.1f} Hz{:>9.1f} dB{:>9.1f} dB above its surroundings\n", peak.frequency,
+                            signal::level_of(peak.mean_square, reference), peak.prominence);
+    return text;
+}
+
+std::string bands_text(const SoundAnalysis& analysis, signal::BandWidth width) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text;
+    std::size_t count = 0;
+    for (const signal::Band& band : signal::bands(analysis.spectrum, width)) {
+        text += fmt::format("{:>8g} Hz{:>8.1f} dB", band.nominal, signal::level_of(band.mean_square, reference));
+        if (++count % 4 == 0) text += "\n";
+    }
+    if (count % 4 != 0) text += "\n";
+    return text;
+}
+
+// levels by filters, from 25 Hz to 12.5 kHz
+std::string filtered_bands_text(const SoundAnalysis& analysis) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < signal::third_octave_count; ++k) {
+        if (!sound::holds_third_octave(analysis.rate, k)) break;
+        text += fmt::format("{:>8g} Hz{:>8.1f} dB", signal::third_octave_names[k],
+                            signal::level_of(analysis.quality->third_octaves[k], reference));
+        if (++count % 4 == 0) text += "\n";
+    }
+    if (count % 4 != 0) text += "\n";
+    return text;
+}
+
+std::string roughness_text(const sound::SoundQuality& q) {
+    if (std::isnan(q.roughness)) return "no roughness: the recording is shorter than 0.2 s\n";
+    return fmt::format("roughness (Daniel and Weber): {:.2f} asper, R5 {:.2f} asper\n", q.roughness, q.roughness_5);
+}
+
+std::string quality_text(const SoundAnalysis& analysis) {
+    if (!analysis.quality)
+        return analysis.unit == signal::full_scale
+                   ? "no loudness, sharpness, roughness: the recording is not calibrated (--full-scale \"2 Pa\")\n"
+                   : "";
+    const sound::SoundQuality& q = *analysis.quality;
+    return fmt::format(
+        "loudness in a {} field (ISO 532-1): N5 {:.3g} sone, N10 {:.3g} sone, greatest {:.3g} sone; "
+        "of the mean spectrum {:.3g} sone ({:.1f} phon)\nsharpness (DIN 45692): {:.3g} acum\n{}",
+        sound::sound_field_names[static_cast<std::size_t>(q.field)], q.loudness_5, q.loudness_10, q.greatest_loudness,
+        q.loudness, sound::loudness_level(q.loudness), q.sharpness, roughness_text(q));
+}
+
+std::string named_bands_text(const SoundAnalysis& analysis) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text = "bands of the field:\n";
+    for (const signal::NamedBand& band : signal::named_bands)
+        text += fmt::format(
+            "  {:<15}{:>8.1f} dB  {}\n", band.name,
+            signal::level_of(signal::mean_square_between(analysis.spectrum, band.low, band.high), reference),
+            band.source);
+    return text;
+}
+
+// why a channel has its unit
+std::string origin(recordings::Calibration calibration, const recordings::FullScale& scale) {
+    const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
+    switch (calibration) {
+        case recordings::Calibration::option:
+            return value + "--full-scale)";
+        case recordings::Calibration::sidecar:
+            return value + "the sidecar)";
+        case recordings::Calibration::description:
+            return value + "its description)";
+        case recordings::Calibration::file:
+            return "";
+        case recordings::Calibration::none:
+            return " (not calibrated)";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string channel_title(const io::SoundReport& report, std::size_t channel) {
+    const sound::SoundAnalysis& analysis = report.channels[channel];
+    const bool is_only = report.channels.size() == 1;
+    std::string text = is_only ? report.file : fmt::format("{}, channel {}", report.file, channel + 1);
+    if (!analysis.name.empty()) text += " (" + analysis.name + ")";
+    return text;
+}
+
+std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text =
+        fmt::format("{:>9}{:>10}  {:<10}{:>9}{:>11}{:>9}{:>11}{:>9}{:>7}{:>9}\n", "from", "to", "category", "level",
+                    "frequency", "tonal", "regularity", "moves", "rest", "kurtosis");
+    for (const classification::SoundSegment& segment : verdict.segments) {
+        const sound::SoundFeatures& f = segment.verdict.features;
+        const bool is_noisy = segment.verdict.category != classification::Category::none;
+        const std::string category = styled(fmt::format("{:<10}", classification::name(segment.verdict.category)),
+                                            is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
+        text += fmt::format("{:>7.3f} s{:>8.3f} s  {}", segment.from, segment.to, category);
+        if (f.mean_square > 0.0)
+            text += fmt::format("{:>6.1f} dB{:>8.0f} Hz{:>9.2f}{:>11.3f}{:>7.1f} %{:>7.2f}{:>9.1f}\n",
+                                signal::level_of(segment.mean_square, reference), f.frequency, f.tonality, f.regularity,
+                                100.0 * f.movement, f.rest, f.kurtosis);
+        else
+            text += "  silence\n";
+    }
+    return text;
+}
+
+std::string verdict_text(const io::SoundReport& report) {
+    std::string text;
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const RecordingVerdict& verdict = report.verdicts[k];
+        text += (k > 0 ? "\n" : "") + channel_title(report, k) + ": " +
+                styled(std::string(classification::name(verdict.category)), Style::bold, STDOUT_FILENO) + " (" +
+                joined(verdict.reasons) + ")\n\n";
+        text += segment_table(report.channels[k], verdict) + explanations(verdict);
+    }
+    if (report.channels.size() > 1)
+        text += fmt::format("\nthe loudest channel is {}: {}\n", report.loudest + 1,
+                            classification::name(report.verdicts[report.loudest].category));
+    return text;
+}
+
+std::string analysis_text(const io::SoundReport& report, Weighting weighting) {
+    std::string text;
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const SoundAnalysis& analysis = report.channels[k];
+        text += (k > 0 ? "\n" : "") + styled(channel_title(report, k), Style::bold, STDOUT_FILENO) + "\n";
+        text += fmt::format("{}, {:.6g} s at {:g} Hz\n", report.format, analysis.duration, analysis.rate);
+        text += levels_text(analysis);
+        if (analysis.unit == "Pa" || weighting == Weighting::of_all) text += weighted_text(analysis);
+        text += quality_text(analysis);
+        text += "\n" + peaks_text(analysis);
+        text += "\noctave bands:\n" + bands_text(analysis, signal::BandWidth::octave);
+        text += analysis.quality ? "\nthird-octave bands (filters of IEC 61260-1):\n" + filtered_bands_text(analysis)
+                                 : "\nthird-octave bands:\n" + bands_text(analysis, signal::BandWidth::third_octave);
+        text += "\n" + named_bands_text(analysis);
+        text += "\n" + segment_table(analysis, report.verdicts[k]);
+    }
+    return text;
+}
+
+std::string signal_text(const io::SignalSummary& summary) {
+    const signal::ChannelLayout& layout = summary.layout;
+    const auto frames = static_cast<double>(*layout.frames);
+    std::string text =
+        fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,
+                    summary.facts.format, base::shortest(layout.rate), frames / layout.rate, *layout.frames);
+    if (!summary.facts.time.empty()) text += fmt::format("  time      {}\n", summary.facts.time);
+    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
+        const signal::Channel& channel = layout.channels[k];
+        const std::string name = channel.name.empty() ? "" : " " + channel.name;
+        text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
+        const bool is_converted =
+            summary.facts.calibrations[k] == recordings::Calibration::file && summary.facts.full_scales[k].value != 1.0;
+        if (is_converted) text += fmt::format(" (written in {})", summary.facts.units_in_file[k]);
+        text += origin(summary.facts.calibrations[k], summary.facts.full_scales[k]) + "\n";
+    }
+    for (const std::string& each : summary.facts.left_out)
+        text += fmt::format("  left out  {}\n", each);
+    return text;
+}
+
+std::string listening_text(const io::SoundInfo& info) {
+    const double loudest = info.peak < hearing::least_motion ? 0.0 : info.peak;
+    std::string text = fmt::format("{}, {:g} s at {:g} Hz", io::motion_words(info), info.duration, info.rate);
+    if (!info.cell.empty()) text += "; cell " + info.cell;
+    text += fmt::format("\npeak {:.4g} {}, rms {:.4g} {}; full scale {:.4g} {} ({})\n", loudest, info.unit, info.rms,
+                        info.unit, info.full_scale, info.unit, info.level);
+    if (loudest == 0.0) text += "nothing vibrates in this part of the motion: the sound is silence\n";
+    if (!info.file.empty()) text += info.file + "\n";
+    return text;
+}
+
+}  // namespace stridor::console
