@@ -13,10 +13,17 @@ find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)                 # recordings: PkgConfig::sndfile
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus>=3.3)  # cases: PkgConfig::tomlplusplus
 
-# Libraries that few commands need are opened while the program runs (base/opened_library), so that all others start
-# quickly. To build, only their headers are needed, and the name by which the loader finds the version they belong to.
+pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures: PkgConfig::cairo
+pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text: PkgConfig::pangocairo
+pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive>=3.6)      # archives: PkgConfig::libarchive
+find_path(metis_INCLUDE_DIRS metis.h REQUIRED DOC "Headers of METIS")       # orders the rows of large parts
+find_library(metis_LIBRARY metis REQUIRED DOC "METIS")
+
+# Optional libraries are opened while the program runs (base/opened_library): a machine may lack them. To build, only
+# their headers are needed, and the name by which the loader finds the version they belong to.
 #
-# Sets RESULT to that name of the library NAME of the package: "libnetcdf.so.19"; empty where it is not found.
+# Sets RESULT to that name of the library NAME of the package: "libmatio.so.11"; empty where it is not found.
 function(stridor_find_opened_library package name result)
     find_library(file NAMES ${name} HINTS ${${package}_LIBRARY_DIRS} NO_CACHE)
     file(REAL_PATH "${file}" path)
@@ -24,21 +31,6 @@ function(stridor_find_opened_library package name result)
     set(${result} "${soname}" PARENT_SCOPE)
 endfunction()
 
-pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports; tests link PkgConfig::netcdf
-pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures; tests link PkgConfig::cairo
-pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text
-pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive>=3.6)      # archives; tests link PkgConfig::libarchive
-find_path(metis_INCLUDE_DIRS metis.h DOC "Headers of METIS")                # orders the rows of large parts
-stridor_find_opened_library(metis metis metis_NAME)
-stridor_find_opened_library(netcdf netcdf netcdf_NAME)
-stridor_find_opened_library(cairo cairo cairo_NAME)
-stridor_find_opened_library(pangocairo pangocairo-1.0 pangocairo_NAME)
-stridor_find_opened_library(libarchive archive libarchive_NAME)
-foreach(library IN ITEMS netcdf cairo pangocairo libarchive metis)
-    if(NOT ${library}_NAME)
-        message(FATAL_ERROR "The shared library of ${library} is not found beside its headers. Install it?")
-    endif()
-endforeach()
 # optional: compressed recordings
 pkg_check_modules(ffmpeg QUIET libavformat>=59.27 libavcodec>=59.37 libavutil>=57.28 libswresample>=4.7)
 if(NOT ffmpeg_FOUND)

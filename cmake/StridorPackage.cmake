@@ -44,10 +44,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_STRIDOR_PACKAGE_NAME stridor)
 
-# what dpkg-shlibdeps cannot see: libraries that are opened when a command needs them (StridorDependencies.cmake)
-stridor_packages_of(opened
-    ${netcdf_NAME} ${cairo_NAME} ${pangocairo_NAME} ${libarchive_NAME} ${metis_NAME})
-set(CPACK_DEBIAN_STRIDOR_PACKAGE_DEPENDS "${opened}, fonts-dejavu-core")
+# what dpkg-shlibdeps cannot see: a font, and libraries that are opened where the machine has them
+set(CPACK_DEBIAN_STRIDOR_PACKAGE_DEPENDS fonts-dejavu-core)
 stridor_packages_of(recommended
     ${matio_NAME} ${mumps_NAME} ${ffmpeg_NAMES})
 set(CPACK_DEBIAN_STRIDOR_PACKAGE_RECOMMENDS "${recommended}")

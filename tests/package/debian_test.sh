@@ -51,7 +51,6 @@ stridor init squeal | stridor simulate - | grep -q '^going   squeal .* 428.5 Hz'
 stridor init noise-chart |
     stridor chart - --set chart.x.points=8 --set chart.y.points=8 --set run.duration=0.3 --set run.window=0.1 \
         --out chart >/dev/null
-# these are written by libraries that are opened when they are needed
 find chart -name '*.nc' | grep -q . || fail "no netCDF"
 find chart -name '*.png' | grep -q . || fail "no picture"
 

@@ -7,8 +7,7 @@
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/advice_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/io/advice/asked_texts.hpp"
-#include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/advice/advice_texts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

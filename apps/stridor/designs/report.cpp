@@ -7,7 +7,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/io/advice/asked_texts.hpp"
+#include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/range_text.hpp"

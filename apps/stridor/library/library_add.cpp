@@ -10,7 +10,7 @@
 #include "stridor/io/library/library_texts.hpp"
 #include "stridor/io/library/recording_probe.hpp"
 #include "stridor/noise_library/add_recordings.hpp"
-#include "stridor/noise_library/starter/add_starter.hpp"
+#include "stridor/noise_library/starter_noises.hpp"
 #include "stridor/recordings/recording_files.hpp"
 
 #include <CLI/CLI.hpp>

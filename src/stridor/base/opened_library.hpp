@@ -19,35 +19,28 @@ struct FoundFunction {
 
 /// A shared library that is opened while the program runs, and stays open as long as the process lives.
 ///
-/// A library that few commands need is opened this way: linked, it and all it needs would be loaded at every start.
-/// Only its headers are needed to build. Its functions are members of a struct, found when the struct is made:
+/// A library that a machine may lack is opened this way. Only its headers are needed to build. Its functions are
+/// members of a struct, found when the struct is made:
 ///
-///     struct Netcdf {
-///         base::OpenedLibrary library{"libnetcdf.so.19"};
-///         decltype(&::nc_create) nc_create = library.function("nc_create");
+///     struct Matio {
+///         base::OpenedLibrary library{"libmatio.so.11"};
+///         decltype(&::Mat_Open) open = library.function("Mat_Open");
 ///     };
 class OpenedLibrary {
 public:
     /// `file` is the name by which the system's loader finds it. All that it refers to is bound at once: it may be used
     /// where nothing may be opened any more.
-    explicit OpenedLibrary(std::string file);
+    explicit OpenedLibrary(const std::string& file);
 
     /// A function of it, or of the libraries it needs.
     FoundFunction function(const char* name);
 
     /// Is it on this machine, with all functions that were asked for?
-    bool is_whole() const { return lack_.empty(); }
-    /// Throws `Error` (io) unless it is whole: the problem as given ("netCDF files cannot be made"), what is missing,
-    /// and the package to install.
-    void expect_whole(const std::string& problem) const;
+    bool is_whole() const { return is_whole_; }
 
 private:
-    std::string file_;
-    std::string lack_;  // what is missing first; empty: nothing
     void* handle_;
+    bool is_whole_;
 };
-
-/// Debian's package of a shared library: "libnetcdf19" for "libnetcdf.so.19" (Debian Policy 4.6, 8.1).
-std::string debian_package(const std::string& file);
 
 }  // namespace stridor::base

@@ -1,8 +1,10 @@
 #include "stridor/drawing/lettering.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/drawing/cairo_library.hpp"
 #include "stridor/drawing/scene.hpp"
+
+#include <cairo.h>
+#include <pango/pangocairo.h>
 
 #include <memory>
 
@@ -29,12 +31,12 @@ namespace stridor::drawing {
 namespace {
 
 struct CairoRelease {
-    void operator()(gpointer object) const { pango().g_object_unref(object); }
-    void operator()(PangoAttrList* list) const { pango().attr_list_unref(list); }
-    void operator()(PangoFontDescription* font) const { pango().font_description_free(font); }
-    void operator()(PangoFontMetrics* metrics) const { pango().font_metrics_unref(metrics); }
-    void operator()(cairo_font_options_t* options) const { cairo().font_options_destroy(options); }
-    void operator()(char* text) const { (pango().g_free)(text); }
+    void operator()(gpointer object) const { g_object_unref(object); }
+    void operator()(PangoAttrList* list) const { pango_attr_list_unref(list); }
+    void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
+    void operator()(PangoFontMetrics* metrics) const { pango_font_metrics_unref(metrics); }
+    void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+    void operator()(char* text) const { g_free(text); }
 };
 
 template <typename Thing>
@@ -42,24 +44,24 @@ using Held = std::unique_ptr<Thing, CairoRelease>;
 
 // letters of one shape at every size and resolution, whatever language the user's is
 Held<PangoContext> context_for_paper() {
-    PangoFontMap* fonts = pango().cairo_font_map_get_default();
-    Held<PangoContext> context(pango().font_map_create_context(fonts));
-    const Held<cairo_font_options_t> options(cairo().font_options_create());
-    cairo().font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
-    cairo().font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-    cairo().font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-    pango().cairo_context_set_font_options(context.get(), options.get());
-    pango().cairo_context_set_resolution(context.get(), 72.0);
-    pango().context_set_round_glyph_positions(context.get(), FALSE);
-    pango().context_set_language(context.get(), pango().language_from_string("en"));
-    pango().context_set_base_dir(context.get(), PANGO_DIRECTION_LTR);
+    PangoFontMap* fonts = pango_cairo_font_map_get_default();
+    Held<PangoContext> context(pango_font_map_create_context(fonts));
+    const Held<cairo_font_options_t> options(cairo_font_options_create());
+    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context.get(), options.get());
+    pango_cairo_context_set_resolution(context.get(), 72.0);
+    pango_context_set_round_glyph_positions(context.get(), FALSE);
+    pango_context_set_language(context.get(), pango_language_from_string("en"));
+    pango_context_set_base_dir(context.get(), PANGO_DIRECTION_LTR);
     return context;
 }
 
 void add_attribute(PangoAttrList* list, PangoAttribute* attribute, std::size_t from, std::size_t to) {
     attribute->start_index = static_cast<guint>(from);
     attribute->end_index = static_cast<guint>(to);
-    pango().attr_list_insert(list, attribute);
+    pango_attr_list_insert(list, attribute);
 }
 
 void add_style(PangoAttrList* list, TextStyle style, double size, std::size_t from, std::size_t to) {
@@ -69,13 +71,13 @@ void add_style(PangoAttrList* list, TextStyle style, double size, std::size_t fr
         case TextStyle::plain:
             return;
         case TextStyle::italic:
-            return add_attribute(list, pango().attr_style_new(PANGO_STYLE_ITALIC), from, to);
+            return add_attribute(list, pango_attr_style_new(PANGO_STYLE_ITALIC), from, to);
         case TextStyle::bold:
-            return add_attribute(list, pango().attr_weight_new(PANGO_WEIGHT_BOLD), from, to);
+            return add_attribute(list, pango_attr_weight_new(PANGO_WEIGHT_BOLD), from, to);
         case TextStyle::subscript:
         case TextStyle::superscript:
-            add_attribute(list, pango().attr_size_new(units(small)), from, to);
-            add_attribute(list, pango().attr_rise_new(units(style == TextStyle::subscript ? -0.18 : 0.36)), from, to);
+            add_attribute(list, pango_attr_size_new(units(small)), from, to);
+            add_attribute(list, pango_attr_rise_new(units(style == TextStyle::subscript ? -0.18 : 0.36)), from, to);
     }
 }
 
@@ -87,31 +89,30 @@ struct SetLine {
 
     SetLine(const StyledText& text, double size)
         : context(context_for_paper()),
-          layout(pango().layout_new(context.get())) {
-        const Held<PangoFontDescription> font(pango().font_description_from_string("DejaVu Sans,sans-serif"));
-        pango().font_description_set_size(font.get(), static_cast<int>(size * PANGO_SCALE));
-        if (!Held<PangoFont>(pango().context_load_font(context.get(), font.get())))
+          layout(pango_layout_new(context.get())) {
+        const Held<PangoFontDescription> font(pango_font_description_from_string("DejaVu Sans,sans-serif"));
+        pango_font_description_set_size(font.get(), static_cast<int>(size * PANGO_SCALE));
+        if (!Held<PangoFont>(pango_context_load_font(context.get(), font.get())))
             throw Error(ErrorKind::io, {"no font is installed", "figures have text",
                                         "Install one, on Debian with: apt install fonts-dejavu-core"});
-        pango().layout_set_font_description(layout.get(), font.get());
-        pango().layout_set_auto_dir(layout.get(), FALSE);
-        pango().layout_set_single_paragraph_mode(layout.get(), TRUE);
+        pango_layout_set_font_description(layout.get(), font.get());
+        pango_layout_set_auto_dir(layout.get(), FALSE);
+        pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
         std::string letters;
-        const Held<PangoAttrList> styles(pango().attr_list_new());
+        const Held<PangoAttrList> styles(pango_attr_list_new());
         for (const TextRun& run : text.runs) {
             const std::size_t from = letters.size();
             letters += drawable(run.text);
             add_style(styles.get(), run.style, size, from, letters.size());
         }
-        pango().layout_set_text(layout.get(), letters.data(), static_cast<int>(letters.size()));
-        pango().layout_set_attributes(layout.get(), styles.get());
-        const Held<PangoFontMetrics> metrics(pango().context_get_metrics(context.get(), font.get(), nullptr));
-        drop = 0.5 *
-               (pango().font_metrics_get_ascent(metrics.get()) - pango().font_metrics_get_descent(metrics.get())) /
+        pango_layout_set_text(layout.get(), letters.data(), static_cast<int>(letters.size()));
+        pango_layout_set_attributes(layout.get(), styles.get());
+        const Held<PangoFontMetrics> metrics(pango_context_get_metrics(context.get(), font.get(), nullptr));
+        drop = 0.5 * (pango_font_metrics_get_ascent(metrics.get()) - pango_font_metrics_get_descent(metrics.get())) /
                PANGO_SCALE;
     }
 
-    PangoLayoutLine* letters() const { return pango().layout_get_line_readonly(layout.get(), 0); }
+    PangoLayoutLine* letters() const { return pango_layout_get_line_readonly(layout.get(), 0); }
 };
 
 bool is_beside_equals(const std::string& text, std::size_t blank) {
@@ -152,7 +153,7 @@ std::vector<StyledText> letters_of(const StyledText& text) {
 }  // namespace
 
 std::string drawable(std::string_view text) {
-    const Held<char> valid(pango().g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
+    const Held<char> valid(g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
     std::string letters(valid.get());
     for (char& c : letters)
         if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f) c = ' ';
@@ -166,7 +167,7 @@ std::string drawable(std::string_view text) {
 double text_width(const StyledText& text, double size) {
     const SetLine line(text, size);
     PangoRectangle extent;
-    pango().layout_line_get_extents(line.letters(), nullptr, &extent);
+    pango_layout_line_get_extents(line.letters(), nullptr, &extent);
     return extent.width * millimetres_per_point / PANGO_SCALE;
 }
 
@@ -199,11 +200,11 @@ TextExtent note_extent(const StyledText& text, double size) {
 
 void draw_letters(cairo_t* page, const StyledText& text, double size, Letters letters) {
     const SetLine line(text, size);
-    pango().cairo_update_layout(page, line.layout.get());
-    cairo().move_to(page, 0.0, line.drop);
-    if (letters == Letters::glyphs) return pango().cairo_show_layout_line(page, line.letters());
-    pango().cairo_layout_line_path(page, line.letters());
-    cairo().fill(page);
+    pango_cairo_update_layout(page, line.layout.get());
+    cairo_move_to(page, 0.0, line.drop);
+    if (letters == Letters::glyphs) return pango_cairo_show_layout_line(page, line.letters());
+    pango_cairo_layout_line_path(page, line.letters());
+    cairo_fill(page);
 }
 
 }  // namespace stridor::drawing

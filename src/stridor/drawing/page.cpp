@@ -2,8 +2,11 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
-#include "stridor/drawing/cairo_library.hpp"
 #include "stridor/drawing/lettering.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
 
 #include <algorithm>
 #include <array>
@@ -26,12 +29,12 @@ cairo_status_t append(void* file, const unsigned char* bytes, unsigned int count
 
 void expect(cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS)
-        throw Error(ErrorKind::io, {"the figure could not be drawn", cairo().status_to_string(status), ""});
+        throw Error(ErrorKind::io, {"the figure could not be drawn", cairo_status_to_string(status), ""});
 }
 
 struct Destroy {
-    void operator()(cairo_surface_t* surface) const { cairo().surface_destroy(surface); }
-    void operator()(cairo_t* page) const { cairo().destroy(page); }
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* page) const { cairo_destroy(page); }
 };
 
 // cairo numbers its surfaces over the whole run of a program, and its SVG names them: without the name the same drawing
@@ -82,23 +85,23 @@ struct Page::Surface {
     double y(double millimetres) const { return height - millimetres / millimetres_per_point; }
 
     void set(Colour colour) const {
-        cairo().set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+        cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
     }
 
     void set(const Stroke& stroke, LineEnd end) const {
         set(stroke.colour);
-        cairo().set_line_width(pen.get(), stroke.width);
-        cairo().set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_width(pen.get(), stroke.width);
+        cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
         const bool is_solid = stroke.dash == Dash::solid;
-        cairo().set_line_cap(pen.get(), is_solid && end == LineEnd::round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_cap(pen.get(), is_solid && end == LineEnd::round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
         const double unit = std::max(0.5, stroke.width);  // [pt]
         const std::array<double, 2> lengths =
             stroke.dash == Dash::dashed ? std::array{4.0 * unit, 2.5 * unit} : std::array{1.0 * unit, 2.0 * unit};
-        cairo().set_dash(pen.get(), lengths.data(), is_solid ? 0 : 2, 0.0);
+        cairo_set_dash(pen.get(), lengths.data(), is_solid ? 0 : 2, 0.0);
     }
 
     void add(const Rectangle& area) const {
-        cairo().rectangle(pen.get(), x(area.left), y(area.top), x(width_of(area)), x(height_of(area)));
+        cairo_rectangle(pen.get(), x(area.left), y(area.top), x(width_of(area)), x(height_of(area)));
     }
 };
 
@@ -110,21 +113,21 @@ Page::Page(double width, double height, Format format, std::string_view title) :
     const double points = width / millimetres_per_point;
     const auto dots = [](double length) { return static_cast<int>(std::lround(length / 72.0 * png_resolution)); };
     if (format == Format::png)
-        s.paper.reset(cairo().image_surface_create(CAIRO_FORMAT_RGB24, dots(points), dots(s.height)));
+        s.paper.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, dots(points), dots(s.height)));
     else if (format == Format::svg)
-        s.paper.reset(cairo().svg_surface_create_for_stream(append, &s.file, points, s.height));
+        s.paper.reset(cairo_svg_surface_create_for_stream(append, &s.file, points, s.height));
     else
-        s.paper.reset(cairo().pdf_surface_create_for_stream(append, &s.file, points, s.height));
-    s.pen.reset(cairo().create(s.paper.get()));
-    expect(cairo().status(s.pen.get()));
-    if (format == Format::png) cairo().scale(s.pen.get(), png_resolution / 72.0, png_resolution / 72.0);
+        s.paper.reset(cairo_pdf_surface_create_for_stream(append, &s.file, points, s.height));
+    s.pen.reset(cairo_create(s.paper.get()));
+    expect(cairo_status(s.pen.get()));
+    if (format == Format::png) cairo_scale(s.pen.get(), png_resolution / 72.0, png_resolution / 72.0);
     if (format == Format::pdf) {
-        cairo().pdf_surface_set_metadata(s.paper.get(), CAIRO_PDF_METADATA_TITLE, drawable(title).c_str());
+        cairo_pdf_surface_set_metadata(s.paper.get(), CAIRO_PDF_METADATA_TITLE, drawable(title).c_str());
         // no date: the same drawing gives the same bytes
-        cairo().pdf_surface_set_metadata(s.paper.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+        cairo_pdf_surface_set_metadata(s.paper.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
     }
     s.set(Colour{255, 255, 255});
-    cairo().paint(s.pen.get());
+    cairo_paint(s.pen.get());
 }
 
 Page::~Page() = default;
@@ -133,29 +136,29 @@ void Page::fill(std::span<const Rectangle> areas, Colour colour) {
     surface_->set(colour);
     for (const Rectangle& area : areas)
         surface_->add(area);
-    cairo().fill(surface_->pen.get());
+    cairo_fill(surface_->pen.get());
 }
 
 void Page::curve(std::span<const Dot> points, const Stroke& stroke, LineEnd end) {
     surface_->set(stroke, end);
     for (const Dot& point : points)
-        cairo().line_to(surface_->pen.get(), surface_->x(point.x), surface_->y(point.y));
-    cairo().stroke(surface_->pen.get());
+        cairo_line_to(surface_->pen.get(), surface_->x(point.x), surface_->y(point.y));
+    cairo_stroke(surface_->pen.get());
 }
 
 void Page::segments(std::span<const Segment> lines, const Stroke& stroke) {
     surface_->set(stroke, LineEnd::butt);
     for (const Segment& line : lines) {
-        cairo().move_to(surface_->pen.get(), surface_->x(line.x0), surface_->y(line.y0));
-        cairo().line_to(surface_->pen.get(), surface_->x(line.x1), surface_->y(line.y1));
+        cairo_move_to(surface_->pen.get(), surface_->x(line.x0), surface_->y(line.y0));
+        cairo_line_to(surface_->pen.get(), surface_->x(line.x1), surface_->y(line.y1));
     }
-    cairo().stroke(surface_->pen.get());
+    cairo_stroke(surface_->pen.get());
 }
 
 void Page::outline(const Rectangle& area, const Stroke& stroke) {
     surface_->set(stroke, LineEnd::butt);
     surface_->add(area);
-    cairo().stroke(surface_->pen.get());
+    cairo_stroke(surface_->pen.get());
 }
 
 void Page::marks(std::span<const Dot> middles, Mark mark, double diameter, Colour colour) {
@@ -167,56 +170,56 @@ void Page::marks(std::span<const Dot> middles, Mark mark, double diameter, Colou
         const double x = surface_->x(middle.x);
         const double y = surface_->y(middle.y);
         if (mark == Mark::disc) {
-            cairo().move_to(pen, x, y);
-            cairo().line_to(pen, x, y);
+            cairo_move_to(pen, x, y);
+            cairo_line_to(pen, x, y);
         } else if (mark == Mark::cross) {
-            cairo().move_to(pen, x - radius, y - radius);
-            cairo().line_to(pen, x + radius, y + radius);
-            cairo().move_to(pen, x - radius, y + radius);
-            cairo().line_to(pen, x + radius, y - radius);
+            cairo_move_to(pen, x - radius, y - radius);
+            cairo_line_to(pen, x + radius, y + radius);
+            cairo_move_to(pen, x - radius, y + radius);
+            cairo_line_to(pen, x + radius, y - radius);
         } else {
-            cairo().new_sub_path(pen);
+            cairo_new_sub_path(pen);
             for (const Dot& corner : corners(mark))
-                cairo().line_to(pen, x + radius * corner.x, y - radius * corner.y);
-            cairo().close_path(pen);
+                cairo_line_to(pen, x + radius * corner.x, y - radius * corner.y);
+            cairo_close_path(pen);
         }
     }
     if (corners(mark).empty())
-        cairo().stroke(pen);
+        cairo_stroke(pen);
     else
-        cairo().fill(pen);
+        cairo_fill(pen);
 }
 
 void Page::text(const PlacedText& placed) {
     cairo_t* pen = surface_->pen.get();
     surface_->words += drawable(plain_text(placed.text)) + "\n";
     surface_->set(placed.colour);
-    cairo().save(pen);
-    cairo().translate(pen, surface_->x(placed.x), surface_->y(placed.y));
-    if (placed.turn == PlacedText::Turn::quarter) cairo().rotate(pen, -0.5 * std::numbers::pi);
+    cairo_save(pen);
+    cairo_translate(pen, surface_->x(placed.x), surface_->y(placed.y));
+    if (placed.turn == PlacedText::Turn::quarter) cairo_rotate(pen, -0.5 * std::numbers::pi);
     const double before = placed.align == Align::left ? 0.0 : placed.align == Align::centre ? 0.5 : 1.0;
-    cairo().translate(pen, -before * surface_->x(text_width(placed.text, placed.size)), 0.0);
+    cairo_translate(pen, -before * surface_->x(text_width(placed.text, placed.size)), 0.0);
     // an image would move each letter to the nearest dot
     draw_letters(pen, placed.text, placed.size, surface_->format == Format::png ? Letters::outlines : Letters::glyphs);
-    cairo().restore(pen);
+    cairo_restore(pen);
 }
 
 void Page::begin_clip(const Rectangle& area) {
-    cairo().save(surface_->pen.get());
+    cairo_save(surface_->pen.get());
     surface_->add(area);
-    cairo().clip(surface_->pen.get());
+    cairo_clip(surface_->pen.get());
 }
 
 void Page::end_clip() {
-    cairo().restore(surface_->pen.get());
+    cairo_restore(surface_->pen.get());
 }
 
 std::string Page::finished() {
     Surface& s = *surface_;
-    expect(cairo().status(s.pen.get()));
-    if (s.format == Format::png) expect(cairo().surface_write_to_png_stream(s.paper.get(), append, &s.file));
-    cairo().surface_finish(s.paper.get());
-    expect(cairo().surface_status(s.paper.get()));
+    expect(cairo_status(s.pen.get()));
+    if (s.format == Format::png) expect(cairo_surface_write_to_png_stream(s.paper.get(), append, &s.file));
+    cairo_surface_finish(s.paper.get());
+    expect(cairo_surface_status(s.paper.get()));
     return s.format == Format::svg ? described(std::move(s.file), s.title, s.words) : std::move(s.file);
 }
 

@@ -71,7 +71,7 @@ int chart_points(const parameters::Case& c) {
 
 io::AxisTexts axes_around(const parameters::Case& c) {
     const auto [x, y] = sweep::usual_axes(c, chart_points(c));
-    return {io::axis_text(x), io::axis_text(y)};
+    return {io::write_axis_text(x), io::write_axis_text(y)};
 }
 
 }  // namespace

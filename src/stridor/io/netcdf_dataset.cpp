@@ -2,10 +2,11 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/io/netcdf_library.hpp"
 #include "stridor/storage/system_io.hpp"
 
 #include <fcntl.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <array>
 #include <cerrno>
@@ -29,14 +30,14 @@ constexpr std::size_t longest_attribute = std::size_t{32} << 10U;
 }  // namespace
 
 NetcdfDataset::NetcdfDataset(std::string name) : name_(std::move(name)) {
-    check(netcdf().nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
+    check(nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
 }
 
 NetcdfDataset::NetcdfDataset(std::string name, const std::string& path, DatasetFormat format)
     : name_(std::move(name)),
       format_(format) {
     if (format == DatasetFormat::netcdf4) {
-        check(netcdf().nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+        check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
         return;
     }
     // the library takes an address apart at "#" and "%": the folder above it is named by its number
@@ -46,26 +47,26 @@ NetcdfDataset::NetcdfDataset(std::string name, const std::string& path, DatasetF
     if (!parent_->is_open()) throw storage::system_failure("write", "\"" + name_ + "\"", errno);
     address_ = "file:///proc/self/fd/" + std::to_string(parent_->number()) + "/" + folder.filename().string() +
                "#mode=zarr,file";
-    check(netcdf().nc_create(address_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+    check(nc_create(address_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
 }
 
 NetcdfDataset::~NetcdfDataset() {
-    if (id_ >= 0) netcdf().nc_abort(id_);
+    if (id_ >= 0) nc_abort(id_);
 }
 
 void NetcdfDataset::check(int code) const {
     if (code == NC_NOERR) return;
-    throw Error(ErrorKind::io, {"cannot make the netCDF file \"" + name_ + "\"", netcdf().nc_strerror(code), ""});
+    throw Error(ErrorKind::io, {"cannot make the netCDF file \"" + name_ + "\"", nc_strerror(code), ""});
 }
 
 int NetcdfDataset::dimension(const std::string& name, std::size_t size) {
     int number = -1;
-    check(netcdf().nc_def_dim(id_, name.c_str(), size, &number));
+    check(nc_def_dim(id_, name.c_str(), size, &number));
     return number;
 }
 
 void NetcdfDataset::attribute(int variable, const std::string& name, const std::string& text) {
-    check(netcdf().nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()));
+    check(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()));
 }
 
 void NetcdfDataset::attribute(const std::string& name, const std::string& text) {
@@ -73,17 +74,16 @@ void NetcdfDataset::attribute(const std::string& name, const std::string& text) 
     if (fits) return attribute(NC_GLOBAL, name, text);
     const int length = dimension(name + "_length", text.size());
     const int number = define(name, NC_CHAR, std::array{length}, {});
-    check(netcdf().nc_def_var_deflate(id_, number, 0, 1, 1));
+    check(nc_def_var_deflate(id_, number, 0, 1, 1));
     // readers make one text of its letters
     attribute(number, "_Encoding", "utf-8");
-    check(netcdf().nc_put_var_text(id_, number, text.c_str()));
+    check(nc_put_var_text(id_, number, text.c_str()));
 }
 
 int NetcdfDataset::define(const std::string& name, int type, std::span<const int> dimensions,
                           const Description& description) {
     int number = -1;
-    check(
-        netcdf().nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
+    check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
     variables_.push_back(name);
     if (!description.units.empty()) attribute(number, "units", std::string(description.units));
     if (!description.long_name.empty()) attribute(number, "long_name", std::string(description.long_name));
@@ -94,8 +94,8 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    if (description.missing == MissingNumbers::as_nan) check(netcdf().nc_def_var_fill(id_, number, NC_FILL, &missing));
-    check(netcdf().nc_put_var_double(id_, number, values.data()));
+    if (description.missing == MissingNumbers::as_nan) check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    check(nc_put_var_double(id_, number, values.data()));
     return number;
 }
 
@@ -103,18 +103,18 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    check(netcdf().nc_def_var_fill(id_, number, NC_FILL, &missing));
+    check(nc_def_var_fill(id_, number, NC_FILL, &missing));
     pack(number, chunk, sizeof(double));
     return number;
 }
 
 void NetcdfDataset::pack(int variable, ChunkShape chunk, std::size_t value_size) {
-    check(netcdf().nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
+    check(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
     // Zarr is packed by plug-ins that Debian's library does not have
-    if (format_ == DatasetFormat::netcdf4) check(netcdf().nc_def_var_deflate(id_, variable, 1, 1, 1));
+    if (format_ == DatasetFormat::netcdf4) check(nc_def_var_deflate(id_, variable, 1, 1, 1));
     // the library's cache for the variable holds one box: it would hold 16 MB, and of thirty variables 500
     const std::size_t bytes = std::accumulate(chunk.begin(), chunk.end(), value_size, std::multiplies<>());
-    check(netcdf().nc_set_var_chunk_cache(id_, variable, bytes, 1, 1.0F));
+    check(nc_set_var_chunk_cache(id_, variable, bytes, 1, 1.0F));
 }
 
 // the library (4.9.0) holds all that was put into a Zarr folder until it is closed, whatever its cache is told; and it
@@ -122,26 +122,26 @@ void NetcdfDataset::pack(int variable, ChunkShape chunk, std::size_t value_size)
 int NetcdfDataset::opened_variable(int variable, std::size_t bytes) {
     if (format_ == DatasetFormat::netcdf4) return variable;
     if (held_ > 0 && held_ + bytes > most_held) {
-        check(netcdf().nc_close(std::exchange(id_, -1)));
-        check(netcdf().nc_open(address_.c_str(), NC_WRITE, &id_));
+        check(nc_close(std::exchange(id_, -1)));
+        check(nc_open(address_.c_str(), NC_WRITE, &id_));
         held_ = 0;
     }
     held_ += bytes;
     int number = -1;
-    check(netcdf().nc_inq_varid(id_, variables_[static_cast<std::size_t>(variable)].c_str(), &number));
+    check(nc_inq_varid(id_, variables_[static_cast<std::size_t>(variable)].c_str(), &number));
     return number;
 }
 
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const double> values) {
     const int number = opened_variable(variable, values.size_bytes());
-    check(netcdf().nc_put_vara_double(id_, number, start.data(), count.data(), values.data()));
+    check(nc_put_vara_double(id_, number, start.data(), count.data(), values.data()));
 }
 
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const signed char> values) {
     const int number = opened_variable(variable, values.size_bytes());
-    check(netcdf().nc_put_vara_schar(id_, number, start.data(), count.data(), values.data()));
+    check(nc_put_vara_schar(id_, number, start.data(), count.data(), values.data()));
 }
 
 int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
@@ -156,7 +156,7 @@ int NetcdfDataset::words(const std::string& name, std::span<const int> dimension
     std::vector<const char*> pointers;
     for (const std::string& value : values)
         pointers.push_back(value.c_str());
-    check(netcdf().nc_put_var_string(id_, number, pointers.data()));
+    check(nc_put_var_string(id_, number, pointers.data()));
     return number;
 }
 
@@ -164,7 +164,7 @@ int NetcdfDataset::define_flags(const std::string& name, std::span<const int> di
                                 const Description& description) {
     const int number = define(name, NC_BYTE, dimensions, description);
     // Zarr names a number for what is missing unless it is told that there is none
-    if (format_ == DatasetFormat::zarr) check(netcdf().nc_def_var_fill(id_, number, NC_NOFILL, nullptr));
+    if (format_ == DatasetFormat::zarr) check(nc_def_var_fill(id_, number, NC_NOFILL, nullptr));
     std::vector<signed char> flag_values(names.names.size());
     std::iota(flag_values.begin(), flag_values.end(), static_cast<signed char>(0));
     std::string meanings;
@@ -174,7 +174,7 @@ int NetcdfDataset::define_flags(const std::string& name, std::span<const int> di
         flag_values.push_back(-1);
         meanings += " " + std::string(names.none);
     }
-    check(netcdf().nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
+    check(nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
     attribute(number, "flag_meanings", meanings);
     return number;
 }
@@ -182,7 +182,7 @@ int NetcdfDataset::define_flags(const std::string& name, std::span<const int> di
 int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
                          const FlagNames& names, const Description& description) {
     const int number = define_flags(name, dimensions, names, description);
-    check(netcdf().nc_put_var_schar(id_, number, values.data()));
+    check(nc_put_var_schar(id_, number, values.data()));
     return number;
 }
 
@@ -194,12 +194,12 @@ int NetcdfDataset::flags(const std::string& name, std::span<const int> dimension
 }
 
 void NetcdfDataset::finish() {
-    check(netcdf().nc_close(std::exchange(id_, -1)));
+    check(nc_close(std::exchange(id_, -1)));
 }
 
 void NetcdfDataset::finish(const std::function<void(std::string_view)>& take) {
     NC_memio memory{};
-    check(netcdf().nc_close_memio(std::exchange(id_, -1), &memory));
+    check(nc_close_memio(std::exchange(id_, -1), &memory));
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
     take({static_cast<const char*>(memory.memory), memory.size});
 }

@@ -1,7 +1,6 @@
 #include "stridor/reduction/least_fill.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/opened_library.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <fmt/format.h>
@@ -16,19 +15,6 @@ namespace stridor::reduction {
 namespace {
 
 static_assert(std::is_same_v<idx_t, int>);
-
-/// METIS, opened when the first large part is factorised.
-struct Metis {
-    base::OpenedLibrary library{STRIDOR_METIS_LIBRARY};
-    decltype(&::METIS_NodeND) dissect = library.function("METIS_NodeND");
-    mutable std::mutex one_at_a_time;  // its choices come from the C library's rand, one for the process
-};
-
-const Metis& metis() {
-    static const Metis opened;
-    opened.library.expect_whole("a part of this size cannot be factorised");
-    return opened;
-}
 
 /// Which rows meet which others, themselves left out.
 struct Neighbours {
@@ -60,9 +46,10 @@ void LeastFill::operator()(const Eigen::SparseMatrix<double>& matrix, Permutatio
     order.resize(rows);
     std::vector<int> place(static_cast<std::size_t>(rows));
     // with its own options: among them the seed of its choices
-    const std::scoped_lock alone(metis().one_at_a_time);
-    const int end = metis().dissect(&rows, neighbours.begin.data(), neighbours.rows.data(), nullptr, nullptr,
-                                    order.indices().data(), place.data());
+    static std::mutex one_at_a_time;  // METIS' choices come from the C library's rand, one for the process
+    const std::scoped_lock alone(one_at_a_time);
+    const int end = METIS_NodeND(&rows, neighbours.begin.data(), neighbours.rows.data(), nullptr, nullptr,
+                                 order.indices().data(), place.data());
     if (end != METIS_OK)
         throw Error(ErrorKind::numerical, {"the rows of the part could not be ordered",
                                            fmt::format("METIS ended with {}: no memory, or a signal", end), ""});

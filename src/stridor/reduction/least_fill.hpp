@@ -15,8 +15,8 @@ struct LeastFill {
 
     static constexpr Eigen::Index few_rows = 5000;  // [1]
 
-    /// The old row that becomes each new one, for a matrix with both its triangles. Throws `Error` (io) where METIS is
-    /// not on this machine, (numerical) where it gives up.
+    /// The old row that becomes each new one, for a matrix with both its triangles. Throws `Error`
+    /// (numerical) where METIS gives up.
     void operator()(const Eigen::SparseMatrix<double>& matrix, PermutationType& order) const;
 };
 

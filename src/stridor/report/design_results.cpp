@@ -155,12 +155,8 @@ bool has_chart_axes(const io::TomlSource& source) {
 // what a file does not say
 io::AxisTexts usual_axes(const parameters::Case& c, int points) {
     const auto [x, y] = sweep::usual_axes(c, points);
-    return {io::axis_text(x), io::axis_text(y)};
+    return {io::write_axis_text(x), io::write_axis_text(y)};
 }
-
-}  // namespace
-
-namespace {
 
 // over the friction, or over the temperature that it follows
 analysis::ScanRange telling_range(const Case& design) {

@@ -17,6 +17,8 @@
 
 namespace stridor::storage {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 std::string shown(const std::filesystem::path& path) {
@@ -28,12 +30,6 @@ void remove_quietly(const std::filesystem::path& path) {
     std::error_code code;
     std::filesystem::remove_all(path, code);
 }
-
-}  // namespace
-
-namespace fs = std::filesystem;
-
-namespace {
 
 constexpr std::string_view ending = ".tmp";
 

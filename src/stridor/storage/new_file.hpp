@@ -14,8 +14,7 @@ namespace stridor::storage {
 //
 // A temporary is called ".stridor-HOST-PROCESS-NUMBER.tmp" and is locked by whoever writes it, until it has its own
 // name. The system takes the lock from a process that dies, however it dies. So a file of such a name, of this host
-// and this user, that nobody has locked, was left behind and may go. Where a file system knows no locks nothing is
-// ever
+// and this user, that nobody has locked, was left behind and may go. Where a file system knows no locks nothing is ever
 // removed.
 
 /// A new file under a temporary name. It is neither renamed nor removed by itself.

@@ -1,7 +1,7 @@
 // What options say of sounds, recordings and advice, as `stridor listen`, `convert`, `rig friction` and `advise` take
 // it; and the files that the program brings along.
 
-#include "stridor/io/advice/asked_texts.hpp"
+#include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/simulation/friction_test.hpp"

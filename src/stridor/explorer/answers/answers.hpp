@@ -59,21 +59,6 @@ Response report(const World& world, const Json& body, const std::stop_token& sto
 /// says.
 Response motion(const World& world, const Json& body, const std::stop_token& stop);
 
-// answers_share.cpp
-
-/// "stridor.explorer.value/1": a text with a unit as the number it is for a quantity, as `--set` would take it.
-Response value(const World& world, const Json& body, const std::stop_token& stop);
-
-/// "stridor.explorer.share/1": a case as one of the paper's with all that differs in it, so that it is the same case on
-/// a machine that has none of its files.
-Response share(const World& world, const Json& body, const std::stop_token& stop);
-
-// answers_chart.cpp
-/// A chart as it is refined: a line of JSON after each round, streamed.
-Response chart(const World& world, const Json& body, const std::stop_token& stop);
-
-// answers_sound.cpp
-
 /// "stridor.explorer.analysis/1" of a source's loudest channel; reads it to its end.
 Response analysis_of(signal::Source& source);
 
@@ -86,6 +71,19 @@ Response modal_lines(const World& world, const Json& body, const std::stop_token
 
 /// "stridor.explorer.analysis/1" of that sound.
 Response analysis(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_share.cpp
+
+/// "stridor.explorer.value/1": a text with a unit as the number it is for a quantity, as `--set` would take it.
+Response value(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.explorer.share/1": a case as one of the paper's with all that differs in it, so that it is the same case on
+/// a machine that has none of its files.
+Response share(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_chart.cpp
+/// A chart as it is refined: a line of JSON after each round, streamed.
+Response chart(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_library.cpp
 

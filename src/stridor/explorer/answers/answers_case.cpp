@@ -6,7 +6,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"

@@ -5,7 +5,6 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_bands.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
-#include "stridor/io/netcdf_library.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/new_file.hpp"
@@ -238,7 +237,6 @@ void receive_bands(const base::Receive& receive, const TakeBand& take) {
 /// be used by two processes.
 void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
                  std::span<const sweep::CellFigure> figures) {
-    netcdf();  // opened here: in the copy, another thread's use of the loader would never end
     base::SeparateProcess writer("cannot write \"" + path + "\"", [&](const base::Receive& receive) {
         // it is a file of ours, locked by us
         ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);

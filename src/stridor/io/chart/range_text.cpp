@@ -112,7 +112,7 @@ sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, i
     return axis;
 }
 
-std::string axis_text(const sweep::Axis& axis) {
+std::string write_axis_text(const sweep::Axis& axis) {
     return axis.parameter + "=" + base::shortest(axis.from) + ":" + base::shortest(axis.to) + ":" +
            std::to_string(axis.points) + ":" + std::string(sweep::scale_names[static_cast<std::size_t>(axis.scale)]);
 }

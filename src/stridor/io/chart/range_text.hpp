@@ -48,8 +48,8 @@ inline constexpr int usual_points_alone = 200;
 /// `option` is what messages call it: "--x". Throws `Error` (input).
 sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, int points, const std::string& option);
 
-/// The text of an axis, which reads back as the same.
-std::string axis_text(const sweep::Axis& axis);
+/// Returns the text of an axis, which reads back as the same.
+std::string write_axis_text(const sweep::Axis& axis);
 
 /// Reads "key=from:to[:points]", the ends with units if they have one. Throws `Error` (input) for anything else.
 analysis::ScanRange read_scan_range(const std::string& over);

@@ -2,9 +2,10 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/archive_library.hpp"
 #include "stridor/storage/system_io.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -90,22 +91,23 @@ public:
         : file_(std::move(file)),
           size_(size),
           progress_(std::move(progress)) {
-        for (const auto support : {lib_.support_gzip, lib_.support_xz, lib_.support_zstd, lib_.support_raw})
+        for (const auto support : {archive_read_support_filter_gzip, archive_read_support_filter_xz,
+                                   archive_read_support_filter_zstd, archive_read_support_format_raw})
             expect(whole_, support(whole_.get()));
         expect(whole_, open(whole_.get()));
         // the file as it is counts as one
-        if (lib_.filter_count(whole_.get()) > 2) refuse(file_, "it is compressed more than once");
+        if (archive_filter_count(whole_.get()) > 2) refuse(file_, "it is compressed more than once");
         archive_entry* everything = nullptr;
-        expect(whole_, lib_.read_next_header(whole_.get(), &everything));
-        expect(tar_, lib_.support_tar(tar_.get()));
-        expect(tar_, lib_.read_open(tar_.get(), this, nullptr, feed, nullptr));
+        expect(whole_, archive_read_next_header(whole_.get(), &everything));
+        expect(tar_, archive_read_support_format_tar(tar_.get()));
+        expect(tar_, archive_read_open(tar_.get(), this, nullptr, feed, nullptr));
     }
 
     // null at the end
     archive_entry* next_header() {
         header_room_ = longest_header;
         archive_entry* entry = nullptr;
-        const int result = lib_.read_next_header(tar_.get(), &entry);
+        const int result = archive_read_next_header(tar_.get(), &entry);
         header_room_.reset();
         // a warning is about what we do not use, such as the name of a user
         if (expect(tar_, result == ARCHIVE_WARN ? ARCHIVE_OK : result)) return entry;
@@ -140,7 +142,7 @@ private:
 
     std::string_view next_expanded() {
         const std::string_view piece = read_from(whole_).bytes;
-        if (progress_) progress_(static_cast<std::uint64_t>(lib_.filter_bytes(whole_.get(), -1)), size_);
+        if (progress_) progress_(static_cast<std::uint64_t>(archive_filter_bytes(whole_.get(), -1)), size_);
         has_ended_ = piece.empty();
         grown_ += piece.size();
         if (grown_ > longest_expanded(size_))
@@ -156,7 +158,7 @@ private:
         std::size_t count = 0;
         std::int64_t offset = 0;
         while (count == 0)
-            if (!expect(reader, lib_.read_data_block(reader.get(), &bytes, &count, &offset))) return {{}, offset};
+            if (!expect(reader, archive_read_data_block(reader.get(), &bytes, &count, &offset))) return {{}, offset};
         return {{static_cast<const char*>(bytes), count}, offset};
     }
 
@@ -165,14 +167,13 @@ private:
         if (failure_) std::rethrow_exception(failure_);
         if (result == ARCHIVE_OK || result == ARCHIVE_EOF) return result == ARCHIVE_OK;
         // what is not of libarchive's own is the system's word on the file
-        const int code = lib_.error_number(reader.get());
+        const int code = archive_errno(reader.get());
         if (reader == whole_ && code > 0 && code != EILSEQ && code != EINVAL && code != ENOMEM)
             throw storage::system_failure("read", file_, code);
-        const char* const said = lib_.error_string(reader.get());
+        const char* const said = archive_error_string(reader.get());
         refuse(file_, std::string("it is no tar archive, or damaged: ") + (said == nullptr ? "unknown" : said));
     }
 
-    const Libarchive& lib_ = libarchive();
     std::string file_;
     std::uint64_t size_ = 0;  // [bytes]
     TarProgress progress_;
@@ -180,8 +181,8 @@ private:
     std::optional<std::uint64_t> header_room_{};  // [bytes] that the header at hand may still take
     bool has_ended_ = false;                      // more was asked for than there is
     std::exception_ptr failure_{};                // of what expands
-    Reader whole_{lib_.read_new(), lib_.read_free};
-    Reader tar_{lib_.read_new(), lib_.read_free};
+    Reader whole_{archive_read_new(), archive_read_free};
+    Reader tar_{archive_read_new(), archive_read_free};
 };
 
 TarReader::TarReader(const std::filesystem::path& file, TarProgress progress) {
@@ -191,13 +192,13 @@ TarReader::TarReader(const std::filesystem::path& file, TarProgress progress) {
     if (error) throw storage::system_failure("read", file.string(), error.value());
     if (!is_regular) refuse(file.string(), "it is no file");
     source_ = std::make_unique<Source>(file.string(), size, std::move(progress), [&](archive* reader) {
-        return libarchive().read_open_filename(reader, file.c_str(), piece_size);
+        return archive_read_open_filename(reader, file.c_str(), piece_size);
     });
 }
 
 TarReader::TarReader(std::string_view bytes, const std::string& name)
     : source_(std::make_unique<Source>(name, bytes.size(), TarProgress(), [&](archive* reader) {
-          return libarchive().read_open_memory(reader, bytes.data(), bytes.size(), piece_size);
+          return archive_read_open_memory2(reader, bytes.data(), bytes.size(), piece_size);
       })) {}
 
 TarReader::~TarReader() = default;
@@ -207,17 +208,17 @@ std::optional<TarMember> TarReader::next() {
         continue;
     archive_entry* entry = source_->next_header();
     // folders tell nothing, and an archive may hold any number of them
-    while (entry != nullptr && libarchive().entry_filetype(entry) == AE_IFDIR)
+    while (entry != nullptr && archive_entry_filetype(entry) == AE_IFDIR)
         entry = source_->next_header();
     if (entry == nullptr) return std::nullopt;
-    if (libarchive().entry_filetype(entry) != AE_IFREG || libarchive().entry_hardlink(entry) != nullptr)
+    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
         refuse(source_->file(), "it holds something else than files");
-    const char* const path = libarchive().entry_pathname(entry);
+    const char* const path = archive_entry_pathname(entry);
     const std::string_view name = path == nullptr ? "" : path;
     if (name.empty() || name.size() > longest_name)
         refuse(source_->file(), "the name of a file is missing or too long");
     member_ = {std::string(name.starts_with("./") ? name.substr(2) : name),
-               static_cast<std::uint64_t>(libarchive().entry_size(entry))};
+               static_cast<std::uint64_t>(archive_entry_size(entry))};
     given_ = 0;
     return member_;
 }

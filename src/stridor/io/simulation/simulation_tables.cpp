@@ -20,6 +20,9 @@
 
 namespace stridor::io {
 
+using base::csv_text::Facts;
+using base::csv_text::TableColumn;
+
 namespace {
 
 // numbers of each contact; without a dimension of contacts, if there is only one
@@ -121,13 +124,6 @@ void add_point(Table& table, const PointWords& point, const SlidingStability& st
     for (const analysis::Eigenmode& mode : stability.modes)
         add_row(table, point, stability, mode, mode.growth > rounding ? "yes" : "no");
 }
-
-}  // namespace
-
-using base::csv_text::Facts;
-using base::csv_text::TableColumn;
-
-namespace {
 
 // an engine samples at its own steps nearest to the asked ones; a single sample tells nothing of them
 double rate_of(const record::Trace& trace, double interval) {

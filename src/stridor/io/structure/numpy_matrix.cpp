@@ -1,9 +1,10 @@
 #include "stridor/io/structure/numpy_matrix.hpp"
 
-#include "stridor/io/archive_library.hpp"
 #include "stridor/io/structure/numpy_array.hpp"
 #include "stridor/recordings/raw_signal.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,16 +25,16 @@ public:
     explicit ZipReader(const StructureInput& input)
         : file_(input.name),
           bytes_(recordings::text_at(*input.bytes, 0, sized(input))) {
-        expect(lib_.support_zip(reader_.get()));
-        expect(lib_.read_open_memory(reader_.get(), bytes_.data(), bytes_.size(), bytes_.size()));
+        expect(archive_read_support_format_zip_seekable(reader_.get()));
+        expect(archive_read_open_memory2(reader_.get(), bytes_.data(), bytes_.size(), bytes_.size()));
     }
 
     // nothing at the end
     archive_entry* next() {
         archive_entry* entry = nullptr;
-        if (!expect(lib_.read_next_header(reader_.get(), &entry))) return nullptr;
+        if (!expect(archive_read_next_header(reader_.get(), &entry))) return nullptr;
         // libarchive knows a dozen compressions, some of which ask for gigabytes before the first byte; NumPy uses two
-        const char* const format = lib_.format_name(reader_.get());
+        const char* const format = archive_format_name(reader_.get());
         const std::string_view said = format == nullptr ? "" : format;
         if (said.find("(deflation)") == std::string_view::npos && said.find("(uncompressed)") == std::string_view::npos)
             throw damage("its files are compressed in a way that NumPy does not");
@@ -41,9 +42,9 @@ public:
     }
 
     std::string name_of(archive_entry* entry) const {
-        const char* const path = lib_.entry_pathname(entry);
+        const char* const path = archive_entry_pathname(entry);
         std::string name = path == nullptr ? "" : path;
-        const bool is_file = lib_.entry_filetype(entry) == AE_IFREG;
+        const bool is_file = archive_entry_filetype(entry) == AE_IFREG;
         if (name.empty() || name.size() > longest_member_name || !is_file)
             throw damage("it holds something else than files with names");
         return name;
@@ -55,7 +56,7 @@ public:
             const void* piece = nullptr;
             std::size_t count = 0;
             std::int64_t offset = 0;
-            if (!expect(lib_.read_data_block(reader_.get(), &piece, &count, &offset))) return text;
+            if (!expect(archive_read_data_block(reader_.get(), &piece, &count, &offset))) return text;
             grown_ += count;
             if (grown_ > largest_zip)
                 throw refusal(file_, "it grows beyond 2 GiB", "its matrices would not fit into memory", reduce_first);
@@ -78,15 +79,14 @@ private:
     // false at the end
     bool expect(int result) const {
         if (result == ARCHIVE_OK || result == ARCHIVE_EOF) return result == ARCHIVE_OK;
-        const char* const said = lib_.error_string(reader_.get());
+        const char* const said = archive_error_string(reader_.get());
         throw damage(said == nullptr ? "it is damaged" : said);
     }
 
-    const Libarchive& lib_ = libarchive();
     const std::string& file_;
     std::string bytes_;
     std::uint64_t grown_ = 0;  // [bytes] expanded so far
-    std::unique_ptr<archive, decltype(&::archive_read_free)> reader_{lib_.read_new(), lib_.read_free};
+    std::unique_ptr<archive, decltype(&::archive_read_free)> reader_{archive_read_new(), archive_read_free};
 };
 
 using Members = std::map<std::string, std::string>;

@@ -14,7 +14,7 @@ bool is_zip(std::string_view beginning);
 /// The files of a zip archive by name, stored or deflated, read by libarchive.
 ///
 /// Throws `Error` (input) for a damaged archive, one of the same name twice, more than 100 files, other compressions,
-/// passwords, and files that together grow beyond 2 GiB; `Error` (io) where libarchive is not on this machine.
+/// passwords, and files that together grow beyond 2 GiB.
 std::map<std::string, std::string> read_zip(const StructureInput& input);
 
 /// The matrices of a .npz: the sparse one that `scipy.sparse.save_npz` wrote (CSR, CSC or COO; entries of one place are

@@ -5,13 +5,14 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
-#include "stridor/io/netcdf_library.hpp"
 #include "stridor/io/structure/row_labels.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/recordings/raw_signal.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <fmt/format.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -214,23 +215,22 @@ constexpr std::uint64_t largest_file = std::uint64_t{2} << 30U;
 /// The confined side: asks the library and packs what it says. A variable that is not there has no sizes.
 class OpenedPart {
 public:
-    OpenedPart(const Netcdf& library, int file) : library_(library), file_(file) {}
+    explicit OpenedPart(int file) : file_(file) {}
 
     void text(const char* name, base::Packing& into) const {
         std::size_t length = 0;
         nc_type type = NC_NAT;
-        const bool is_there = library_.nc_inq_atttype(file_, NC_GLOBAL, name, &type) == NC_NOERR && type == NC_CHAR &&
-                              library_.nc_inq_attlen(file_, NC_GLOBAL, name, &length) == NC_NOERR && length < 65536;
+        const bool is_there = nc_inq_atttype(file_, NC_GLOBAL, name, &type) == NC_NOERR && type == NC_CHAR &&
+                              nc_inq_attlen(file_, NC_GLOBAL, name, &length) == NC_NOERR && length < 65536;
         std::string value(is_there ? length : 0, '\0');
-        if (is_there) library_.nc_get_att_text(file_, NC_GLOBAL, name, value.data());
+        if (is_there) nc_get_att_text(file_, NC_GLOBAL, name, value.data());
         into.add(std::string_view(value));
     }
 
     void numbers(const char* name, base::Packing& into) const {
         const auto found = variable(name, NC_DOUBLE, NC_BYTE);
         std::vector<double> values(found && found->size <= most_numbers ? found->size : 0);
-        const bool is_read =
-            !values.empty() && library_.nc_get_var_double(file_, found->number, values.data()) == NC_NOERR;
+        const bool is_read = !values.empty() && nc_get_var_double(file_, found->number, values.data()) == NC_NOERR;
         into.add(std::uint64_t{is_read ? values.size() : 0});
         for (std::size_t k = 0; is_read && k < values.size(); ++k)
             into.add(values[k]);
@@ -239,8 +239,7 @@ public:
     void words(const char* name, base::Packing& into) const {
         const auto found = variable(name, NC_STRING, NC_STRING);
         std::vector<char*> values(found && found->size <= most_words ? found->size : 0, nullptr);
-        const bool is_read =
-            !values.empty() && library_.nc_get_var_string(file_, found->number, values.data()) == NC_NOERR;
+        const bool is_read = !values.empty() && nc_get_var_string(file_, found->number, values.data()) == NC_NOERR;
         into.add(std::uint64_t{is_read ? values.size() : 0});
         for (std::size_t k = 0; is_read && k < values.size(); ++k)
             into.add(std::string_view(values[k] == nullptr ? "" : values[k]));
@@ -256,29 +255,28 @@ private:
         FoundVariable found;
         nc_type its = NC_NAT;
         int dimensions = 0;
-        if (library_.nc_inq_varid(file_, name, &found.number) != NC_NOERR ||
-            library_.nc_inq_vartype(file_, found.number, &its) != NC_NOERR || (its != type && its != other) ||
-            library_.nc_inq_varndims(file_, found.number, &dimensions) != NC_NOERR || dimensions < 1 || dimensions > 2)
+        if (nc_inq_varid(file_, name, &found.number) != NC_NOERR ||
+            nc_inq_vartype(file_, found.number, &its) != NC_NOERR || (its != type && its != other) ||
+            nc_inq_varndims(file_, found.number, &dimensions) != NC_NOERR || dimensions < 1 || dimensions > 2)
             return std::nullopt;
         std::array<int, 2> numbers{};
-        if (library_.nc_inq_vardimid(file_, found.number, numbers.data()) != NC_NOERR) return std::nullopt;
+        if (nc_inq_vardimid(file_, found.number, numbers.data()) != NC_NOERR) return std::nullopt;
         found.size = 1;
         for (int k = 0; k < dimensions; ++k) {
             std::size_t length = 0;
-            if (library_.nc_inq_dimlen(file_, numbers.at(static_cast<std::size_t>(k)), &length) != NC_NOERR ||
-                length == 0 || length > most_numbers)
+            if (nc_inq_dimlen(file_, numbers.at(static_cast<std::size_t>(k)), &length) != NC_NOERR || length == 0 ||
+                length > most_numbers)
                 return std::nullopt;
             found.size *= length;
         }
         return found;
     }
 
-    const Netcdf& library_;
     int file_;
 };
 
 // runs where it may do nothing but read its file and answer
-void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
+void answer(const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
     constexpr int descriptor = 4;  // what a confined process gets
     std::string bytes(size, '\0');
     for (std::size_t done = 0; done < bytes.size();) {
@@ -288,8 +286,8 @@ void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel
     }
     int file = -1;
     base::Packing packing;
-    if (library.nc_open_mem("part.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file) == NC_NOERR) {
-        const OpenedPart opened(library, file);
+    if (nc_open_mem("part.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file) == NC_NOERR) {
+        const OpenedPart opened(file);
         for (const char* name : said)
             opened.text(name, packing);
         for (const char* name : numeric)
@@ -327,11 +325,10 @@ PartContent asked(const std::string& path) {
     const auto bytes = recordings::open_plain_bytes(path);
     const auto descriptor = bytes->descriptor();
     if (!descriptor || bytes->size() > largest_file) throw recordings::refusal(path, "it is no reduced part");
-    const Netcdf& library = netcdf();
     base::ConfinedProcess process(
         // the largest part takes a second; a damaged file may send the library round in circles
         {.memory = std::uint64_t{8} << 30U, .processor_time = 20, .patience = 60, .file = *descriptor},
-        [&](const base::ConfinedProcess::Channel& channel) { answer(library, channel, bytes->size()); });
+        [&](const base::ConfinedProcess::Channel& channel) { answer(channel, bytes->size()); });
     std::uint64_t length = 0;
     std::string text;
     bool is_whole = process.receive(std::as_writable_bytes(std::span(&length, 1))) && length <= longest_answer;
