@@ -157,7 +157,7 @@ export class Quiet implements ViewPart {
           { class: "muted" },
           `verified by ${change.verified.runs} runs: ${verified}; ` + `${plain(change.distance, 3)} of the ranges away`,
         ),
-        advice.changed ? h("p", { id: "changed" }, `Then ${advice.changed.words}`) : null,
+        advice.changed ? h("p", { id: "changed" }, `With it: ${advice.changed.words}`) : null,
         button("Apply", () => this.apply_(change.set), { id: "apply-change", class: "primary" }),
         h("span", { class: "muted" }, " back undoes it"),
       );

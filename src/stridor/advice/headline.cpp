@@ -205,7 +205,7 @@ std::string headline(const DesignSpace& space, const DesignVerdict& present, con
             return fmt::format("{}, but only just: {} {}", quiet, change_words(near->turns.front()),
                                turn_deed(space, near->turns.front().verdict));
         case Standing::quiet_here:
-            return fmt::format("{} here; within {:g} % of it nobody looked yet", quiet, within);
+            return fmt::format("{} here; changes within {:g} % were not tried yet", quiet, within);
         case Standing::not_quiet:
             break;
     }

@@ -166,7 +166,7 @@ Decision stuck(const analysis::Evidence& evidence, const parameters::Thresholds&
 
 // how a disturbance of its sliding goes on
 std::string growth_text(const record::Outlook& outlook) {
-    if (outlook.growth == 0.0) return "nothing would press it where it slides to";
+    if (outlook.growth == 0.0) return "its sliding position would need a normal force of zero or less";
     return fmt::format("its sliding is unstable: a small disturbance grows with {:.3g} 1/s", outlook.growth);
 }
 

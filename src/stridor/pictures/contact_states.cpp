@@ -41,7 +41,7 @@ drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing
                                                    "contact.static_friction", "contact.preload", "drive.velocity"};
     drawing::Scene scene;
     scene.title = "Contact states over time";
-    scene.caption = {"Pale lines: stays shorter than their line is wide."};
+    scene.caption = {"Pale lines: states shorter than their line is wide."};
     scene.row_heights.assign(std::max<std::size_t>(1, cases.size()), 1.0);
     scene.height = 28.0 + 23.0 * static_cast<double>(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {

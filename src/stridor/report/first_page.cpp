@@ -142,7 +142,7 @@ Section quiet_section(const Advice& advice) {
     }
     change.paragraphs.push_back(
         fmt::format("The design is quiet, but so close to noise that parts as they are made may not be: within {:g} % "
-                    "of one quantity it is quiet no more. Move it away from what the table names.",
+                    "of one quantity it is no longer quiet. Move it away from what the table names.",
                     100.0 * advice::looked_within));
     change.table.columns = {"with this alone"};
     for (const std::string& words : advice::turn_words(advice.space, *advice.near))
@@ -173,7 +173,7 @@ Section unverified_section(const DesignResults& results) {
     if (change.table.rows.empty()) return change;
     change.table.columns = {"seen to be quiet with this alone, not verified"};
     change.paragraphs.emplace_back(
-        "The nearest that was seen by then: each slips quietly both ways in one look, without its surroundings.");
+        "The nearest that was seen by then: each was quiet both ways in one run; its neighbours were not tried.");
     return change;
 }
 

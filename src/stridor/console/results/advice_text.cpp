@@ -145,15 +145,15 @@ std::string changes_list(const Advice& advice) {
            fmt::format(
                "\n* advised: {}\n  verified by {} runs of {} designs: quiet {}, and with 1 % more and less of each\n",
                advice::settings_of(space, best), best.runs, best.designs, judged_words(space)) +
-           (advice.changed ? "  then " + advice::changed_words(*advice.changed) + "\n" : "");
+           (advice.changed ? "  with it: " + advice::changed_words(*advice.changed) + "\n" : "");
 }
 
 std::string nearest_line(const Advice& advice) {
     const bool was_quiet = advice::is_quiet(advice.present);
     if (!advice.nearest)
-        return fmt::format("as a whole: no {} design was found within these ranges\n",
+        return fmt::format("all parameters together: no {} design was found within these ranges\n",
                            was_quiet ? "other than quiet" : "quiet");
-    return fmt::format("as a whole: {} with {}\n",
+    return fmt::format("all parameters together: {} with {}\n",
                        was_quiet ? verdict_words(advice.space, advice.nearest->verdict) : "quiet",
                        advice::nearest_words(advice.space, *advice.nearest));
 }
@@ -186,7 +186,7 @@ std::string chance_lines(const advice::Chance& chance, const parameters::Case& b
     }
     text += fmt::format(":\n  {}, 95 % confidence, {} samples\n", percent(chance.noise), chance.samples);
     if (const auto narrowed = advice::narrowed_frictions(base); chance.is_default && !narrowed.empty())
-        text += fmt::format("  less than usual of {}: mu_d stays below mu_s; more friction is judged above\n",
+        text += fmt::format("  {} varied by less than usual, so that mu_d stays below mu_s; more friction is judged above\n",
                             base::listed(narrowed));
     for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
         if (chance.by_verdict[k].share > 0.0)

@@ -187,7 +187,7 @@ std::size_t width_of(const std::vector<std::string>& words, std::size_t least) {
 }
 
 std::string shares_text(const hearing::RecordingScore& score) {
-    std::string text = fmt::format("\n  {:<42}{:>10}{:>9}   {}\n", "", "right", "", "95 %, by drawing sources again");
+    std::string text = fmt::format("\n  {:<42}{:>10}{:>9}   {}\n", "", "right", "", "95 %, bootstrap over sources");
     for (const hearing::RightShare& share : score.shares) {
         if (share.count == 0) continue;
         const double all = static_cast<double>(share.right) / static_cast<double>(share.count);

@@ -198,7 +198,7 @@ std::string massless_text(const parameters::Case& c, const integration::Motion& 
 std::string interface_text(const parameters::Case& c, const classification::InterfaceVerdict& verdict) {
     const analysis::Interface& figures = verdict.figures;
     std::string text = fmt::format("{} contacts as a whole:", figures.contacts.size());
-    constexpr std::array<std::string_view, 4> words{"all stick", "some slip", "all slip", "open"};
+    constexpr std::array<std::string_view, 4> words{"all stick", "some slip", "all slip", "all separated"};
     for (std::size_t state = 0; state < words.size(); ++state)
         text += fmt::format("{} {} {:.1f} %", state == 0 ? "" : ",", words[state], 100.0 * figures.rates[state]);
     text += "\n";
@@ -234,7 +234,7 @@ std::string contacts_text(const parameters::Case& c, const integration::Motion& 
             wholes += "\n" + interface_text(c, verdict);
     }
     const std::string_view heading =
-        wholes.empty() ? "a phase has the verdict of the loudest" : "the verdict is that of all as a whole";
+        wholes.empty() ? "a phase takes the loudest verdict" : "a phase takes the verdict of the interface";
     return fmt::format("\neach contact by itself; {}:\n", heading) + text + wholes;
 }
 
