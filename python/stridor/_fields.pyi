@@ -63,6 +63,7 @@ class Contact(Section):
     friction: Word
     static_friction: Quantity
     kinetic_friction: Quantity
+    friction_slope: Quantity
     static_friction_coming: Quantity
     kinetic_friction_coming: Quantity
     impact: Word

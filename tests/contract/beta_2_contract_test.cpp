@@ -9,11 +9,19 @@ void choose(parameters::Case& c) {
     c.run.beta_2 = 0.5;
 }
 
+void choose_falling_beta_2(parameters::Case& c) {
+    choose(c);
+    c.contact.friction = parameters::FrictionKind::linear;
+    c.contact.friction_slope = 0.05;
+}
+
 // At beta_2 = 0.5 the balance is exact but for rounding. Each of the 1e4 steps rounds forces of the size K u by 2^-53;
 // the sums are held against the turnover, of which elastic energy may be a large part many times over: 1e4 steps 1e-16.
 const EngineUnderTest beta_2{"beta_2", choose, 1e-12, 1e-3};
+const EngineUnderTest falling_beta_2{"beta_2_with_falling_friction", choose_falling_beta_2, 1e-12, 1e-3};
 
-INSTANTIATE_TEST_SUITE_P(Beta2, EngineContract, testing::Values(beta_2), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Beta2, EngineContract, testing::Values(beta_2, falling_beta_2),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stridor::contract

@@ -4,9 +4,11 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "support/belt_run.hpp"
+#include "support/error_text.hpp"
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace stridor::contract {
 namespace {
@@ -14,14 +16,45 @@ namespace {
 using model::Slip;
 using model::slips;
 
+constexpr double speeds[] = {0.0, 1e-3, 0.05, 0.7, 1e3};  // [m/s] of slip
+
+double sign_of(Slip way) {
+    return way == Slip::forward ? 1.0 : -1.0;
+}
+
 TEST_P(FrictionContract, OpposesTheSlip) {
-    EXPECT_LE(slip_ratio(law(), Slip::forward), 0.0);
-    EXPECT_GE(slip_ratio(law(), Slip::backward), 0.0);
+    for (const Slip way : slips)
+        for (const double speed : speeds)
+            EXPECT_LE(sign_of(way) * slip_ratio(law(), way, sign_of(way) * speed), 0.0) << speed;
 }
 
 TEST_P(FrictionContract, SlipsWithNoMoreThanItSticksWith) {
     for (const Slip way : slips)
-        EXPECT_LE(std::abs(slip_ratio(law(), way)), stick_limit(law(), way)) << index_of(way);
+        for (const double speed : speeds)
+            EXPECT_LE(std::abs(slip_ratio(law(), way, sign_of(way) * speed)), stick_limit(law(), way)) << speed;
+}
+
+TEST_P(FrictionContract, HasTheSlopeOfItsRatio) {
+    for (const Slip way : slips)
+        for (const double speed : speeds) {
+            const double w = sign_of(way) * (speed + 1e-4), step = 1e-6;
+            const double difference =
+                (slip_ratio(law(), way, w + step) - slip_ratio(law(), way, w - step)) / (2.0 * step);
+            EXPECT_NEAR(slip_ratio_slope(law(), way, w), difference, 1e-6) << w;  // rounding of 1e-16 / step
+        }
+}
+
+TEST_P(FrictionContract, IsStateWiseWhereTheVelocityOfSlipChangesNothing) {
+    bool changes = false;
+    for (const Slip way : slips)
+        for (const double speed : speeds)
+            changes = changes || slip_ratio(law(), way, sign_of(way) * speed) != slip_ratio(law(), way);
+    EXPECT_EQ(is_state_wise(law()), !changes);
+}
+
+TEST_P(FrictionContract, TakesASlipTheOtherWayForOneThatBegins) {
+    for (const Slip way : slips)
+        EXPECT_EQ(slip_ratio(law(), way, -sign_of(way)), slip_ratio(law(), way));
 }
 
 TEST_P(FrictionContract, HasFiniteCoefficients) {
@@ -56,7 +89,7 @@ void expect_law_in_motion(const model::FrictionLaw& law, const record::Trace& tr
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
         const double N = trace.contacts.front().normal_force[k], T = trace.contacts.front().friction_force[k];
         const double w = trace.velocity[0][k] - trace.surface_velocity[k];
-        const double slipping = slip_ratio(law, model::slip_of(w)) * N;
+        const double slipping = slip_ratio(law, model::slip_of(w), w) * N;
         const double limit = stick_limit(law, model::slip_against(T)) * N;
         if (trace.contacts.front().state[k] == model::ContactState::slip && std::abs(w) > 1e-6) {
             EXPECT_NEAR(T, slipping, 1e-9) << trace.time[k];
@@ -66,7 +99,7 @@ void expect_law_in_motion(const model::FrictionLaw& law, const record::Trace& tr
     }
 }
 
-TEST_P(FrictionContract, StandsInTheMotionOfBothEngines) {
+TEST_P(FrictionContract, StandsInTheMotionOfTheEnginesThatKnowIt) {
     for (const double velocity : {-0.1, 0.1}) {
         parameters::Case c;
         c.drive = support::constant_drive(velocity);
@@ -76,9 +109,14 @@ TEST_P(FrictionContract, StandsInTheMotionOfBothEngines) {
         const record::Request request{record::KeepHistory::no, {0.0, 0.2, 1e-4}};
         const auto recorder = [&] { return record::Recorder(record::schedule(c), request, 2); };
         const integration::Start start{parameters::Initial::stuck, 0.0};
-        const auto exact = integration::integrate_exact(belt, c.drive, start, {}, recorder());
-        const auto stepped = integration::integrate_beta_2(belt, c.drive, start, {1e-5, 0.5}, recorder());
-        for (const integration::Motion& motion : {exact, stepped}) {
+        std::vector<integration::Motion> motions{
+            integration::integrate_beta_2(belt, c.drive, start, {1e-5, 0.5}, recorder())};
+        const auto by_events = [&] { return integration::integrate_exact(belt, c.drive, start, {}, recorder()); };
+        if (is_state_wise(law()))
+            motions.push_back(by_events());
+        else
+            EXPECT_TRUE(support::thrown_by(by_events).says("the exact engine knows no friction that changes"));
+        for (const integration::Motion& motion : motions) {
             EXPECT_EQ(motion.outcome.reason, integration::Reason::completed);
             expect_law_in_motion(law(), motion.record.trace);
         }
@@ -96,6 +134,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(FrictionUnderTest{"rough_backward", model::Directional{{0.3, 0.8}, {0.2, 0.6}}},
                     FrictionUnderTest{"rough_forward", model::Directional{{0.9, 0.4}, {0.7, 0.4}}}),
     testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(Linear, FrictionContract,
+                         testing::Values(FrictionUnderTest{"falling", model::Linear{0.8, 0.6, 0.5}},
+                                         FrictionUnderTest{"falling_to_none", model::Linear{0.5, 0.2, 7.0}}),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stridor::contract

@@ -9,6 +9,12 @@ void choose_moreau(parameters::Case& c) {
     c.run.step = 2e-6;
 }
 
+void choose_falling_moreau(parameters::Case& c) {
+    choose_moreau(c);
+    c.contact.friction = parameters::FrictionKind::linear;
+    c.contact.friction_slope = 0.05;
+}
+
 void choose_massless(parameters::Case& c) {
     choose_moreau(c);
     c.run.formulation = parameters::Formulation::massless;
@@ -17,6 +23,11 @@ void choose_massless(parameters::Case& c) {
 // a step in which a contact changes its state has one force for all of it: the balance is of first order there
 const EngineUnderTest moreau{
     .name = "moreau", .choose = choose_moreau, .energy_tolerance = 1e-5, .unstable_step = 1e-3};
+
+const EngineUnderTest falling_moreau{.name = "moreau_with_falling_friction",
+                                     .choose = choose_falling_moreau,
+                                     .energy_tolerance = 1e-5,
+                                     .unstable_step = 1e-3};
 
 // Forces are those that hold places: at rest they answer the flexibility of what has no inertia to 1e-4.
 const EngineUnderTest massless{.name = "massless",
@@ -27,7 +38,8 @@ const EngineUnderTest massless{.name = "massless",
                                .force_share = 1e-4,
                                .starts_stuck = false};
 
-INSTANTIATE_TEST_SUITE_P(Steps, EngineContract, testing::Values(moreau, massless), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Steps, EngineContract, testing::Values(moreau, falling_moreau, massless),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stridor::contract

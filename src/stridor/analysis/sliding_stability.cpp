@@ -117,23 +117,29 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     return result;
 }
 
-SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction) {
+SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction, double speed) {
     model::expect_one_tangent(structure, "the stability of steady sliding");
-    std::vector<double> ratios =
-        model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
+    const double velocity = direction == parameters::Direction::going ? speed : -speed;
+    std::vector<double> ratios = model::sliding_ratios(structure, velocity);
     model::ClosedContacts found = model::closed_contacts(structure, ratios);
     std::vector<model::ContactState> states(structure.contacts.size(), model::ContactState::separation);
     for (const std::size_t number : found.closed)
         states[number] = model::ContactState::slip;
     model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
+    add_slopes(motion, structure, states, velocity, found.equilibrium.normal_forces);
     if (!has_inertia(motion))
         base::refuse("the stability of steady sliding needs inertia",
                      "a motion that the closed contacts allow moves no mass", "Give each row that can move a mass.");
     return {std::move(found), std::move(ratios), std::move(motion)};
 }
 
-SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction) {
-    const auto [found, ratios, motion] = steady_sliding(structure, direction);
+double sliding_speed(const parameters::Drive& drive) {
+    const double speed = std::abs(parameters::velocity_profile(drive).velocity);
+    return speed > 0.0 ? speed : 1.0;
+}
+
+SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction, double speed) {
+    const auto [found, ratios, motion] = steady_sliding(structure, direction, speed);
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t number : found.closed)
         least = std::min(least, found.equilibrium.normal_forces(static_cast<Eigen::Index>(number)));
@@ -152,8 +158,9 @@ std::vector<std::size_t> by_share(const SlidingMode& mode) {
     return numbers;
 }
 
-SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction, std::size_t most) {
-    const SteadySliding sliding = steady_sliding(structure, direction);
+SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction, std::size_t most,
+                           double speed) {
+    const SteadySliding sliding = steady_sliding(structure, direction, speed);
     const model::FirstOrderMotion first = first_order(sliding.motion);
     const Index free = first.directions.cols();
     if (free == 0) return {};

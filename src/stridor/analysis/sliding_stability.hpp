@@ -59,11 +59,16 @@ struct SteadySliding {
     std::vector<double> ratios;   // [1] T/N, shape [contact]
     model::SlidingMotion motion;  // of the closed contacts
 };
-SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction);
+SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction, double speed = 1.0);
+
+/// The speed [m/s] at which steady sliding is judged: the largest of a drive, 1 where it has none.
+double sliding_speed(const parameters::Drive& drive);
 
 /// Stability of sliding of all closed contacts in one direction. The limit of the stick plays no part. Costs some
-/// 25 (2 dofs)³ operations. Several contacts may lift off; a single one is closed or locked.
-SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction);
+/// 25 (2 dofs)³ operations. Several contacts may lift off; a single one is closed or locked. The surface's `speed`
+/// [m/s] matters where friction changes with the slip velocity.
+SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction,
+                                   double speed = 1.0);
 
 // What the modes of steady sliding are made of, and what feeds them.
 //
@@ -100,8 +105,12 @@ struct SlidingModes {
 /// The numbers of the free modes of a mode, those with most of its energy first.
 std::vector<std::size_t> by_share(const SlidingMode& mode);
 
+inline constexpr std::size_t most_sliding_modes = 4;
+
 /// The modes of steady sliding in one direction that grow fastest: all that grow, up to `most`; where none does the
-/// least damped one. None where no motion is left free. Costs as `sliding_stability`, several times.
-SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction, std::size_t most = 4);
+/// least damped one. None where no motion is left free. Costs as `sliding_stability`, several times. Friction that
+/// changes with the slip velocity, at this `speed` [m/s], counts as damping.
+SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction,
+                           std::size_t most = most_sliding_modes, double speed = 1.0);
 
 }  // namespace stridor::analysis

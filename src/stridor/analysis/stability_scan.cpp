@@ -72,11 +72,12 @@ StabilityScan scan_stability(const parameters::Case& c, const std::optional<Scan
         scan.unit = parameters::unit_of(scan.key);
     }
     for (const parameters::Direction direction : {parameters::Direction::going, parameters::Direction::coming}) {
-        DirectionScan along{direction, sliding_stability(model::structure_of(c), direction), {}};
+        DirectionScan along{
+            direction, sliding_stability(model::structure_of(c), direction, sliding_speed(c.drive)), {}};
         const auto at = [&](double value) {
             parameters::Case changed = c;
             parameters::set_quantity(changed, scan.key, value);
-            return sliding_stability(model::structure_of(changed), direction);
+            return sliding_stability(model::structure_of(changed), direction, sliding_speed(changed.drive));
         };
         if (range) along.path = stability_path(at, range->from, range->to, range->points);
         scan.directions.push_back(std::move(along));
@@ -89,7 +90,8 @@ StabilityScan with_modes(StabilityScan scan) {
         direction.modes = SlidingModes{};
         // without steady sliding there is nothing to disturb
         if (direction.here.kind == StabilityKind::locked) continue;
-        direction.modes = sliding_modes(model::structure_of(scan.base), direction.direction);
+        direction.modes = sliding_modes(model::structure_of(scan.base), direction.direction, most_sliding_modes,
+                                        sliding_speed(scan.base.drive));
     }
     return scan;
 }

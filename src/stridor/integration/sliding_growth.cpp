@@ -122,17 +122,28 @@ std::optional<double> times_larger(const model::Structure& structure, const mode
     return std::max(1.0, least / size);
 }
 
+bool has_slopes(const model::Structure& structure) {
+    return std::any_of(structure.contacts.begin(), structure.contacts.end(),
+                       [](const model::ContactPoint& contact) { return !is_state_wise(contact.friction); });
+}
+
 // nothing where sliding lasts
 std::optional<Growing> growing_near(const model::Structure& structure, const std::vector<ContactState>& states,
                                     const record::Tally& tally, double surface_velocity) {
     const std::vector<double> ratios = model::sliding_ratios(structure, surface_velocity);
-    const model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
+    model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
     if (motion.held.cols() > motion.held.rows() || !has_inertia(motion)) return std::nullopt;
+    const std::vector<double> forces = normal_forces(structure, states, ratios);
+    if (has_slopes(structure)) {
+        // what pushes a contact beside one that sticks is not known
+        if (std::find(states.begin(), states.end(), ContactState::stick) != states.end()) return std::nullopt;
+        add_slopes(motion, structure, states, surface_velocity,
+                   Eigen::Map<const VectorXd>(forces.data(), static_cast<Index>(forces.size())));
+    }
     const std::vector<std::complex<double>> values = eigenvalues(motion);
     double fastest = 0.0;
     for (const std::complex<double>& value : values)
         fastest = std::max(fastest, value.real());
-    const std::vector<double> forces = normal_forces(structure, states, ratios);
     const bool presses = *std::min_element(forces.begin(), forces.end()) > 0.0;
     if (!(fastest > model::growth_rounding(values))) return presses ? std::nullopt : std::optional(Growing{});
     if (!presses) return Growing{fastest, std::nullopt};

@@ -16,6 +16,8 @@ FrictionLaw friction_law(const parameters::Contact& contact) {
         case parameters::FrictionKind::directional:  // a plate that goes drags the joint, which slips backward
             return Directional{{contact.static_friction_coming, contact.static_friction},
                                {contact.kinetic_friction_coming, contact.kinetic_friction}};
+        case parameters::FrictionKind::linear:
+            return Linear{contact.static_friction, contact.kinetic_friction, contact.friction_slope};
     }
     return {};
 }

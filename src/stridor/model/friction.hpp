@@ -44,7 +44,7 @@ constexpr Slip slip_against(double friction_force) {
 ///
 ///     stick  |T| <= mu_s N        slip  T = -sign(w) mu_d N
 struct Coulomb {
-    static constexpr bool is_state_wise = true;
+    static constexpr auto kind = parameters::FrictionKind::coulomb;
 
     double static_coefficient = 0.0;   // [1] mu_s
     double kinetic_coefficient = 0.0;  // [1] mu_d <= mu_s
@@ -59,7 +59,7 @@ struct Coulomb {
 ///
 ///     stick  -mu_s(forward) N <= T <= mu_s(backward) N        slip  T = -mu_d(forward) N or +mu_d(backward) N
 struct Directional {
-    static constexpr bool is_state_wise = true;
+    static constexpr auto kind = parameters::FrictionKind::directional;
 
     std::array<double, 2> static_coefficients{};   // [1] mu_s, shape [slip]
     std::array<double, 2> kinetic_coefficients{};  // [1] mu_d <= mu_s, shape [slip]
@@ -70,11 +70,37 @@ struct Directional {
     bool operator==(const Directional&) const = default;
 };
 
-using FrictionLaw = std::variant<Coulomb, Directional>;
+/// Coulomb friction whose coefficient of the slip falls linearly with the slip velocity, down to none:
+///
+///     stick  |T| <= mu_s N        slip  T = -sign(w) max(0, mu_d - s |w|) N
+///
+/// Falling friction feeds vibration: it damps a motion along t by -s N. Beyond |w| = mu_d/s nothing rubs any more.
+struct Linear {
+    static constexpr auto kind = parameters::FrictionKind::linear;
+
+    double static_coefficient = 0.0;   // [1] mu_s
+    double kinetic_coefficient = 0.0;  // [1] mu_d <= mu_s, of a slip that begins
+    double slope = 0.0;                // [s/m] s >= 0
+
+    double limit(Slip) const { return static_coefficient; }
+    double resistance(Slip, double speed) const {
+        const double left = kinetic_coefficient - slope * speed;
+        return left > 0.0 ? left : 0.0;
+    }
+    double resistance_slope(Slip, double speed) const { return slope * speed < kinetic_coefficient ? -slope : 0.0; }
+    bool operator==(const Linear&) const = default;
+};
+
+using FrictionLaw = std::variant<Coulomb, Directional, Linear>;
+
+/// Its name in a case.
+inline parameters::FrictionKind kind_of(const FrictionLaw& law) {
+    return std::visit([](const auto& each) { return each.kind; }, law);
+}
 
 /// Does the law keep its coefficients while the contact sticks, or slips one way?
 inline bool is_state_wise(const FrictionLaw& law) {
-    return std::visit([](const auto& each) { return each.is_state_wise; }, law);
+    return parameters::is_state_wise(kind_of(law));
 }
 
 /// Largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping that way.
@@ -99,7 +125,8 @@ inline double slip_ratio(const FrictionLaw& law, Slip way) {
 /// Change of `slip_ratio` with the slip velocity [s/m], above zero where friction falls with the speed of slip.
 inline double slip_ratio_slope(const FrictionLaw& law, Slip way, double slip_velocity) {
     const double speed = way == Slip::forward ? slip_velocity : -slip_velocity;
-    return std::visit([=](const auto& each) { return -each.resistance_slope(way, speed > 0.0 ? speed : 0.0); }, law);
+    if (speed < 0.0) return 0.0;
+    return std::visit([=](const auto& each) { return -each.resistance_slope(way, speed); }, law);
 }
 
 /// Can a contact stick with these forces [N]? Never if N < 0.

@@ -32,7 +32,8 @@ struct Impulses {
     bool stops = false;        // the slip ends
 };
 
-/// No rebound; the tangential impulse obeys the same friction cone as the forces. What the beta_2 scheme does as h -> 0.
+/// No rebound; the tangential impulse obeys the same friction cone as the forces. What the beta_2 scheme does as
+/// h -> 0.
 struct Plastic {
     bool operator==(const Plastic&) const = default;
 };

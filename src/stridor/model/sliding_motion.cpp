@@ -50,6 +50,17 @@ SlidingMotion sliding_motion(const Structure& structure, const std::vector<Conta
     return motion;
 }
 
+void add_slopes(SlidingMotion& motion, const Structure& structure, const std::vector<ContactState>& states,
+                double surface_velocity, const Eigen::VectorXd& normal_forces) {
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const ContactPoint& contact = structure.contacts[k];
+        if (states[k] != ContactState::slip || is_state_wise(contact.friction)) continue;
+        const double w = -contact.drive_share * surface_velocity;
+        const double slope = slip_ratio_slope(contact.friction, slip_of(w), w);
+        motion.damping -= normal_forces(static_cast<Index>(k)) * slope * contact.tangent * contact.tangent.transpose();
+    }
+}
+
 bool has_inertia(const SlidingMotion& motion) {
     constexpr double massless_share = 1e-14;  // [1] of the largest pivot
     if (motion.mass.rows() == motion.held.cols()) return true;

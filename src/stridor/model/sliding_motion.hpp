@@ -27,9 +27,15 @@ struct SlidingMotion {
     Eigen::MatrixXd forces;     // [1] B: what pushes along them, shape [dof][held]
 };
 
-/// The motion of a structure near these states. `ratios` [1] are T/N of those that slip; both of shape [contact].
+/// The motion of a structure near these states. `ratios` [1] are T/N of those that slip; both of shape [contact]. Of a
+/// law of friction that is not state-wise `add_slopes` says the rest.
 SlidingMotion sliding_motion(const Structure& structure, const std::vector<ContactState>& states,
                              const std::vector<double>& ratios);
+
+/// Adds what a change of friction with the slip velocity does near steady sliding over a surface of this velocity
+/// [m/s], pressed by these normal forces [N], shape [contact]: dT = N dr/dw dw damps the motion along t by -N dr/dw.
+void add_slopes(SlidingMotion& motion, const Structure& structure, const std::vector<ContactState>& states,
+                double surface_velocity, const Eigen::VectorXd& normal_forces);
 
 /// Does each motion that the contacts allow move some mass? A row without any may be held by a contact.
 bool has_inertia(const SlidingMotion& motion);

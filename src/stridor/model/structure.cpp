@@ -63,11 +63,8 @@ Structure in_canonical_order(const Structure& structure) {
 
 void expect_one_tangent(const Structure& structure, std::string_view solver) {
     if (std::none_of(structure.contacts.begin(), structure.contacts.end(), has_two_tangents)) return;
-    // what is no engine has no other one in its place
-    const bool is_engine = solver.ends_with(" engine");
     throw Error(ErrorKind::input, {std::string(solver) + " cannot solve this structure",
-                                   "a contact of it slips in two directions, it knows one",
-                                   is_engine ? "run.engine = \"moreau\" solves its motion." : ""});
+                                   "a contact of it slips in two directions, it knows one", ""});
 }
 
 const ContactPoint& only_contact(const Structure& structure, std::string_view solver) {

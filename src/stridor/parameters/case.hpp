@@ -70,14 +70,21 @@ enum class ImpactKind {
 enum class FrictionKind {
     coulomb,      // two coefficients, the same both ways
     directional,  // two coefficients each way: bristles, fibres, a grain
+    linear,       // that of the slip falls linearly with the slip velocity
 };
 
-/// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or four.
+/// Are coefficients of the law the same as long as the contact sticks, or slips one way?
+constexpr bool is_state_wise(FrictionKind kind) {
+    return kind != FrictionKind::linear;
+}
+
+/// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or another law.
 struct Contact {
     double preload = 20.0;  // [N] F, pressing force at rest
     FrictionKind friction = FrictionKind::coulomb;
     double static_friction = 0.8;          // [1] mu_s
-    double kinetic_friction = 0.6;         // [1] mu_d, independent of the slip velocity, at most mu_s
+    double kinetic_friction = 0.6;         // [1] mu_d, of a slip that begins, at most mu_s
+    double friction_slope = 0.5;           // [s/m] linear: by how much mu_d falls per slip velocity, down to 0
     double static_friction_coming = 0.8;   // [1] directional: mu_s where the plate drags the joint coming, T < 0
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;

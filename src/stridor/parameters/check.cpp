@@ -1,6 +1,7 @@
 #include "stridor/parameters/check.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/engines.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/friction_keys.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace stridor::parameters {
 
@@ -48,7 +51,7 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
         const OwnContact& own = c.own_structure->contacts[k];
         if (!own.static_friction && !own.kinetic_friction) continue;
         const Contact laws = contact_of(c, k);
-        if (c.contact.friction != FrictionKind::coulomb)
+        if (c.contact.friction == FrictionKind::directional)
             found.push_back({"contact.friction",
                              {"contact \"" + own.name + "\" has friction coefficients of its own",
                               "other ones each way are those of all contacts", "Take them out, or use \"coulomb\"."}});
@@ -60,58 +63,33 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
     }
 }
 
-// friction in a plane: the engine of steps alone knows the cone
-void check_planes(const Case& c, std::vector<Finding>& found) {
-    const auto slips_in_a_plane = [](const OwnContact& contact) { return !contact.second_tangent.empty(); };
-    const std::vector<OwnContact>& contacts = c.own_structure->contacts;
-    const auto plane = std::find_if(contacts.begin(), contacts.end(), slips_in_a_plane);
-    if (plane == contacts.end()) return;
-    if (c.run.engine == Engine::exact)
-        found.push_back({"run.engine",
-                         {"the exact engine cannot solve contact \"" + plane->name + "\"",
-                          "it slips in two directions, and events know one", "Set run.engine = \"moreau\"."}});
-    if (c.contact.friction != FrictionKind::coulomb)
-        found.push_back({"contact.friction",
-                         {"contact \"" + plane->name + "\" slips in two directions",
-                          "its cone of friction is circular, the same every way", "Set friction = \"coulomb\"."}});
+bool is_same(const Finding& a, const Finding& b) {
+    return a.key == b.key && a.problem.what == b.problem.what;
 }
 
-// a joint is a mass at a contact
-void check_formulation(const Case& c, std::vector<Finding>& found) {
-    if (c.own_structure || c.run.engine != Engine::moreau || c.run.formulation == Formulation::standard) return;
-    found.push_back({"run.formulation",
-                     {"the contact of a joint has inertia", "its mass stands there: without it another system moves",
-                      "Use \"standard\"; a structure of your own may do without."},
-                     {"run.engine"}});
-}
-
-// rows without mass move as their forces say: only a formulation without inertia knows them
-void check_massless_rows(const Case& c, std::vector<Finding>& found) {
-    const std::optional<std::size_t> row = massless_row(*c.own_structure);
-    if (!row) return;
-    const std::string what = "row " + c.own_structure->row[*row] + " has no mass";
-    if (!is_without_inertia(c))
-        found.push_back({"run.engine",
-                         {what, "events and impacts need inertia in each row",
-                          "Set run.engine = \"moreau\" and run.formulation = \"massless\"."},
-                         {"run.formulation"}});
-    if (c.run.initial != Initial::rest)
-        found.push_back({"run.initial", {what + ", and no velocity at the start", "", "Start with \"rest\"."}});
+// what the engine of a case cannot solve, by the table of engines
+std::vector<Finding> findings_of_engine(const Case& c, const std::vector<Method>& methods,
+                                        const std::vector<Asked>& demands) {
+    std::vector<Finding> found;
+    const std::string engine = value_text(c, *find_field("run.engine"));
+    for (const Method method : methods)
+        for (const Asked& asked : demands) {
+            const std::optional<base::Problem> problem = refusal(method, asked, engine);
+            if (!problem) continue;
+            const DemandKeys keys = keys_of(asked.demand);
+            Finding finding{std::string(keys.key), *problem, keys.others};
+            if (std::none_of(found.begin(), found.end(), [&](const Finding& other) { return is_same(other, finding); }))
+                found.push_back(std::move(finding));
+        }
+    return found;
 }
 
 void check_own_structure(const Case& c, std::vector<Finding>& found) {
     check_own_friction(c, found);
-    check_massless_rows(c, found);
-    check_planes(c, found);
-    if (c.run.engine == Engine::beta_2)
-        found.push_back({"run.engine",
-                         {"a structure of one's own is solved from event to event only",
-                          "the beta_2 engine knows the paper's joint", "Set run.engine = \"exact\"."}});
-    if (c.contact.impact != ImpactKind::plastic)
-        found.push_back(
-            {"contact.impact",
-             {"a structure of one's own has plastic impacts only",
-              "other laws say nothing of impacts that meet at the same instant", "Set impact = \"plastic\"."}});
+    if (const std::optional<std::size_t> row = massless_row(*c.own_structure); row && c.run.initial != Initial::rest)
+        found.push_back({"run.initial",
+                         {"row " + c.own_structure->row[*row] + " has no mass, and no velocity at the start", "",
+                          "Start with \"rest\"."}});
     if (c.run.initial == Initial::sliding)
         found.push_back({"run.initial",
                          {"a structure of one's own does not start sliding",
@@ -220,11 +198,6 @@ void check_force(const Case& c, std::vector<Finding>& found) {
                          {"a drive by force has nothing that it shakes",
                           "structure.force says how much of it acts on each row of a structure of one's own",
                           "Add structure.force, or let the surface move."}});
-    else if (c.run.engine == Engine::exact)
-        found.push_back({"run.engine",
-                         {"the exact engine knows no drive by force", "its events follow a surface that moves",
-                          "Set run.engine = \"moreau\"."},
-                         {"drive.kind"}});
 }
 
 void check_drive(const Case& c, std::vector<Finding>& found) {
@@ -260,11 +233,6 @@ void check_run(const Case& c, std::vector<Finding>& found) {
                           "the window is the last part of the simulated time", "Make it at most the duration."},
                          {"run.duration"}});
     if (c.run.engine == Engine::exact) return;
-    if (c.contact.impact != ImpactKind::plastic)
-        found.push_back({"contact.impact",
-                         {"the " + value_text(c, *find_field("run.engine")) + " engine knows plastic impacts only",
-                          "its impacts are what its steps make of them", "Set run.engine = \"exact\"?"},
-                         {"run.engine"}});
     if (c.run.step > c.run.duration)
         found.push_back(
             {"run.step",
@@ -308,7 +276,8 @@ std::vector<Finding> findings(const Case& c) {
     }
     check_zeros(c, found);
     if (c.own_structure) check_own_structure(c, found);
-    check_formulation(c, found);
+    for (Finding& finding : findings_of_engine(c, methods_of(c), demands_of(c)))
+        found.push_back(std::move(finding));
     check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);
@@ -318,16 +287,13 @@ std::vector<Finding> findings(const Case& c) {
 }
 
 std::vector<Finding> findings_among_several(const Case& only) {
-    std::vector<Finding> found;
-    if (only.run.engine == Engine::beta_2)
-        found.push_back({"run.engine",
-                         {"the beta_2 engine knows one contact", "several joints are solved by exact or moreau",
-                          "Set run.engine = \"exact\"."}});
-    if (only.contact.impact != ImpactKind::plastic)
-        found.push_back(
-            {"contact.impact",
-             {"several joints have plastic impacts only",
-              "other laws say nothing of impacts that meet at the same instant", "Set impact = \"plastic\"."}});
+    std::vector<Method> methods = methods_of(only);
+    std::replace(methods.begin(), methods.end(), Method::exact, Method::taylor);
+    std::vector<Asked> demands = demands_of(only);
+    demands.push_back({Demand::several_contacts});
+    std::vector<Finding> found = findings_of_engine(only, methods, demands);
+    for (const Finding& known : findings_of_engine(only, methods_of(only), demands_of(only)))
+        std::erase_if(found, [&](const Finding& finding) { return is_same(finding, known); });
     return found;
 }
 

@@ -22,8 +22,8 @@ struct Finding {
 /// system's frequencies (`integration::step_limit`).
 std::vector<Finding> findings(const Case& c);
 
-/// What a joint of several may not be, seen alone (`parameters::alone`): solved by beta_2, or with other impacts than
-/// plastic ones.
+/// What a joint of several may not be, seen alone (`parameters::alone`), beside its `findings`: what the engine solves
+/// for one joint only.
 std::vector<Finding> findings_among_several(const Case& only);
 
 }  // namespace stridor::parameters

@@ -19,7 +19,7 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> friction_names{"coulomb", "directional"};
+constexpr std::array<std::string_view, 3> friction_names{"coulomb", "directional", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
@@ -116,7 +116,8 @@ const std::array table{
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
           quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
-    Field{"contact", "friction", "", "law of friction: the same both ways, or other coefficients each way",
+    Field{"contact", "friction", "",
+          "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity",
           choice<&Case::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
           always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
@@ -125,6 +126,9 @@ const std::array table{
     Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
           quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction),
           has_kinetic_friction},
+    Field{"contact", "friction_slope", "s_mu", "by how much mu_d falls per slip velocity, down to 0",
+          quantity<&Case::contact, &Contact::friction_slope>("s/m", not_negative, octaves(0.05, 5.0)),
+          has_friction_slope},
     Field{"contact", "static_friction_coming", "mu_sc",
           "mu_s of the other way, in which a coming plate drags the joint",
           quantity<&Case::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),

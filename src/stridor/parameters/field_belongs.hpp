@@ -66,6 +66,9 @@ inline bool has_no_phases(const Case& c) {
 inline bool has_friction_each_way(const Case& c) {
     return c.contact.friction == FrictionKind::directional;
 }
+inline bool has_friction_slope(const Case& c) {
+    return c.contact.friction == FrictionKind::linear;
+}
 inline bool rebounds(const Case& c) {
     return c.contact.impact == ImpactKind::restitution;
 }

@@ -17,7 +17,8 @@ namespace {
 struct LawBranch {
     double sign;
     double limit;    // [1] of the stick
-    double sliding;  // [1] while it slips
+    double sliding;  // [1] of a slip that begins
+    double fast;     // [1] of one at the edge of the picture
     const char* limit_symbol;
     const char* sliding_symbol;
 };
@@ -30,11 +31,13 @@ drawing::StyledText named(double sign, std::string_view name, double value) {
 
 void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
     const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding;
+    const double fast = branch.sign * branch.fast;
     if (branch.limit > branch.sliding)
         panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), drawing::TickSize::major});
     panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding), drawing::TickSize::major});
-    panel.layers.emplace_back(
-        drawing::Line{{std::min(x, 0.0), std::max(x, 0.0)}, {d, d}, {drawing::accent, 1.6, drawing::Dash::solid}});
+    panel.layers.emplace_back(drawing::Line{{std::min(x, 0.0), std::max(x, 0.0)},
+                                            {x < 0.0 ? fast : d, x < 0.0 ? d : fast},
+                                            {drawing::accent, 1.6, drawing::Dash::solid}});
     panel.layers.emplace_back(drawing::Note{"slip", 0.5 * x, d - 0.1 * x * top, drawing::Anchor::data,
                                             drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
 }
@@ -56,9 +59,11 @@ parameters::Contact one_law(const parameters::Case& c) {
 
 drawing::Scene friction_law(const parameters::Contact& contact) {
     const model::FrictionLaw law = model::friction_law(contact);
-    const bool is_the_same = contact.friction == parameters::FrictionKind::coulomb;
+    const bool is_the_same = contact.friction != parameters::FrictionKind::directional;
     const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
-        return LawBranch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
+        return LawBranch{
+            sign,   stick_limit(law, way), sign * slip_ratio(law, way), sign * slip_ratio(law, way, -sign), limit,
+            sliding};
     };
     const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
     const LawBranch coming =
@@ -67,7 +72,8 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     const double top = most > 0.0 ? 1.3 * most : 1.0;
     drawing::Panel panel;
     panel.grid = drawing::Grid::none;
-    panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") + " (any unit)";
+    panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") +
+                    (is_state_wise(law) ? " (any unit)" : " [m/s]");
     panel.x.range = {-1.0, 1.0};
     panel.x.ticks = {{0.0, "0", drawing::TickSize::major}};
     panel.y.label =
@@ -98,8 +104,9 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
 }
 
 drawing::Scene friction_law_of(const parameters::Case& c) {
-    for (const char* key : {"contact.friction", "contact.static_friction", "contact.kinetic_friction",
-                            "contact.static_friction_coming", "contact.kinetic_friction_coming"})
+    for (const char* key :
+         {"contact.friction", "contact.static_friction", "contact.kinetic_friction", "contact.friction_slope",
+          "contact.static_friction_coming", "contact.kinetic_friction_coming"})
         if (!parameters::has_one_value(c, key))
             base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
                          "this is the picture of one law of friction", "");

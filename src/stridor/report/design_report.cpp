@@ -54,8 +54,7 @@ Section verdict_section(const DesignResults& results) {
         for (const std::string& warning : verdict.warnings)
             section.paragraphs.push_back("Warning: " + warning + ".");
     }
-    section.paragraphs.push_back(
-        "Judged by the noisiest of its runs: " + judged_words(results.standing.space) + ".");
+    section.paragraphs.push_back("Judged by the noisiest of its runs: " + judged_words(results.standing.space) + ".");
     section.paragraphs.emplace_back("The shares in the table are of the whole window, reversals included. " +
                                     std::string(is_own ? analysis::contact_level_note : analysis::level_note));
     return section;

@@ -69,8 +69,8 @@ std::string plain_words(const Verdict& verdict) {
     const analysis::Evidence& e = verdict.evidence;
     std::string text = fmt::format("{} {}.", phase_words(e.phase), what_happens(verdict));
     if (verdict.category != Category::undecided)
-        text += fmt::format(" Of the judged time it slips {}, sticks {} and is separated {}.", share(e.judged_rates.slip),
-                            share(e.judged_rates.stick), share(e.judged_rates.separation));
+        text += fmt::format(" Of the judged time it slips {}, sticks {} and is separated {}.",
+                            share(e.judged_rates.slip), share(e.judged_rates.stick), share(e.judged_rates.separation));
     return text;
 }
 

@@ -99,7 +99,9 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
     cell.figures =
-        figures_of({verdict.evidence, analysis::sliding_stability(model::structure_of(c), direction), attempt.motion});
+        figures_of({verdict.evidence,
+                    analysis::sliding_stability(model::structure_of(c), direction, analysis::sliding_speed(c.drive)),
+                    attempt.motion});
     return cell;
 }
 

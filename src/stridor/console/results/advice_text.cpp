@@ -186,8 +186,9 @@ std::string chance_lines(const advice::Chance& chance, const parameters::Case& b
     }
     text += fmt::format(":\n  {}, 95 % confidence, {} samples\n", percent(chance.noise), chance.samples);
     if (const auto narrowed = advice::narrowed_frictions(base); chance.is_default && !narrowed.empty())
-        text += fmt::format("  {} varied by less than usual, so that mu_d stays below mu_s; more friction is judged above\n",
-                            base::listed(narrowed));
+        text += fmt::format(
+            "  {} varied by less than usual, so that mu_d stays below mu_s; more friction is judged above\n",
+            base::listed(narrowed));
     for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
         if (chance.by_verdict[k].share > 0.0)
             text += fmt::format("  {:<10} {}\n", sweep::verdict_words[k], percent(chance.by_verdict[k]));

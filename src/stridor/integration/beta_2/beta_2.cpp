@@ -8,14 +8,15 @@
 // Eliminating v gives pₙ₊₁ = pₙ + h aₙ: the state is (u, p). With A = M + β h C and s = (β + 1/2) h² the contact forces
 // move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
 // n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks,
-// else T is its share of N and N closes the gap.
+// else T is its share of N and N closes the gap. Where that share changes with the slip velocity wₙ = t.vₙ - Vₙ,
+// Newton's method finds the one that is of the wₙ it leaves.
 //
 // Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/integration/energy_held.hpp"
+#include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/step_samples.hpp"
 #include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
@@ -44,7 +45,11 @@ constexpr long steps_of_impact = 8;
 // above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check
 constexpr double any_share = 1.0;
 
-// the law of friction for a contact that slips, or would, one way
+// [1] of the size of the velocities: a slip velocity that is found
+constexpr double slip_rounding = 1e-15;
+constexpr int most_slip_turns = 40;  // Newton's steps; two are usual, as a step changes a velocity by little
+
+// the law of friction for a contact that slips, or would, one way; of the slip that begins
 struct SlipLaw {
     double limit;      // [1] of the stick
     double ratio;      // [1] T/N
@@ -69,9 +74,12 @@ struct Coefficients {
     Vector tangent;        // t
     // inverse of the 2 by 2 compliance s [n t]ᵀ A⁻¹ [n t]
     double stick_nn, stick_nt, stick_tt;  // [N/m]
+    double nn, nt, tt;                    // [1/kg] [n t]ᵀ A⁻¹ [n t]
     std::array<SlipLaw, 2> slip;          // shape [slip]
-    Matrix damping;                       // C
-    Vector load;                          // f0
+    model::FrictionLaw friction;
+    bool is_state_wise;  // `slip` is of any slip velocity
+    Matrix damping;      // C
+    Vector load;         // f0
 };
 
 template <int dofs>
@@ -95,9 +103,11 @@ Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::F
     c.damping = structure.damping;
     c.load = structure.load;
 
-    const double nn = structure.normal.dot(c.from_normal);
-    const double nt = structure.normal.dot(c.from_tangent);
-    const double tt = structure.tangent.dot(c.from_tangent);
+    const double nn = c.nn = structure.normal.dot(c.from_normal);
+    const double nt = c.nt = structure.normal.dot(c.from_tangent);
+    const double tt = c.tt = structure.tangent.dot(c.from_tangent);
+    c.friction = friction;
+    c.is_state_wise = is_state_wise(friction);
     model::require_no_painleve(nn, nt, friction);
     const double determinant = c.end_of_step * (nn * tt - nt * nt);
     c.stick_nn = tt / determinant;
@@ -132,6 +142,23 @@ struct Step {
     ContactState contact = ContactState::separation;
 };
 
+// N and T of a slip whose friction changes with its velocity, which is `free` [m/s] without them
+template <int dofs>
+void press_by_velocity(const Coefficients<dofs>& c, model::Slip way, double gap, double free, Step<dofs>& now) {
+    double w = free;
+    for (int turn = 0; turn < most_slip_turns; ++turn) {
+        const double ratio = slip_ratio(c.friction, way, w);
+        const double giving = c.nn + ratio * c.nt;
+        now.normal_force = -gap / (c.end_of_step * giving);
+        now.friction_force = ratio * now.normal_force;
+        const double off = w - free - c.half_velocity * (c.tt * now.friction_force + c.nt * now.normal_force);
+        if (!(std::abs(off) > slip_rounding * std::max(std::abs(w), std::abs(free)))) return;
+        // dN/d(ratio) = -N nt / giving
+        const double per_ratio = now.normal_force * (c.tt - (c.tt * ratio + c.nt) * c.nt / giving);
+        w -= off / (1.0 - c.half_velocity * slip_ratio_slope(c.friction, way, w) * per_ratio);
+    }
+}
+
 template <int dofs>
 inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double increment) {
     using Vector = typename SizedStructure<dofs>::Vector;
@@ -154,6 +181,11 @@ inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double i
             now.contact = ContactState::slip;
             now.normal_force = -gap * law.stiffness;
             now.friction_force = law.ratio * now.normal_force;
+            if (!c.is_state_wise) {
+                const double surface_velocity = 0.5 * (increment + state.last_increment) / c.h;
+                const double along = c.tangent.dot(state.p + c.half_velocity * free_acceleration);
+                press_by_velocity(c, model::slip_against(stick_friction), gap, along - surface_velocity, now);
+            }
         }
         now.acceleration += c.from_normal * now.normal_force + c.from_tangent * now.friction_force;
     }
@@ -390,11 +422,8 @@ double stable_step(double beta_2, double angular_frequency) {
 
 Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                         const Beta2& settings, record::Recorder recorder, const std::stop_token& stop) {
+    expect_solvable(structure, parameters::Method::beta_2);
     const model::ContactPoint& contact = model::only_contact(structure, "the beta_2 engine");
-    if (!std::holds_alternative<model::Plastic>(contact.impact))
-        throw Error(ErrorKind::input,
-                    {"the beta_2 engine cannot solve this structure",
-                     "its impacts are what its steps make of them: plastic", "Use the exact engine."});
     const double fastest = model::natural_frequencies(structure, ContactState::separation).back();
     if (settings.step > stable_step(settings.beta_2, fastest))
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};

@@ -359,6 +359,7 @@ void require_valid_contact(const model::SizedStructure<dofs>& structure, const m
 
 Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                        const Exact& settings, record::Recorder recorder, std::stop_token stop, SharedFlows& shared) {
+    expect_solvable(structure, parameters::Method::exact);
     const model::ContactPoint& contact = model::only_contact(structure, "the exact engine");
     const auto run = [&](auto size) {
         require_valid_contact<size()>({structure, contact}, contact.friction);
@@ -366,12 +367,7 @@ Motion integrate_exact(const model::Structure& structure, const parameters::Driv
                                 std::move(stop));
         return runner.run();
     };
-    const int dofs = model::dofs_of(structure);
-    if (dofs == 2) return run(model::Size<2>());
-    if (dofs == 3) return run(model::Size<3>());
-    throw Error(ErrorKind::input, {"the exact engine cannot solve this structure",
-                                   "it has " + std::to_string(dofs) + " degrees of freedom instead of two or three",
-                                   "Use the beta_2 engine."});
+    return model::dofs_of(structure) == 2 ? run(model::Size<2>()) : run(model::Size<3>());
 }
 
 Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,

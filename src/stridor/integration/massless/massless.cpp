@@ -10,8 +10,8 @@
 
 #include "stridor/integration/massless/massless.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/imposed_force.hpp"
 #include "stridor/integration/massless/massless_run.hpp"
 #include "stridor/integration/step_samples.hpp"
@@ -187,7 +187,7 @@ Outcome MasslessRun::run(const std::stop_token& stop) {
 
 Motion integrate_massless(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                           const Massless& settings, record::Recorder recorder, const std::stop_token& stop) {
-    expect_circular_cones(structure);
+    expect_solvable(structure, parameters::Method::massless);
     MasslessStructure massless = massless_structure(structure, settings.above);
     if (settings.step >= longest_step(massless)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MasslessRun runner(structure, std::move(massless), drive, start, settings.step, recorder);

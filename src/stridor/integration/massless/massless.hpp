@@ -23,7 +23,7 @@ struct Massless {
 /// Contact is a matter of places: a closed gap is zero, none bounces, and no law of impact is asked for. Its forces
 /// are as good as the modes that are left: their flexibility is the contact's own stiffness. Second order where no
 /// contact changes its state. Returns `no_forces`, `diverged`, `step_limit` beyond `longest_step`, `cancelled`. Throws
-/// `Error` (input) as `massless_structure` and for a cone of friction that is not circular.
+/// `Error` (input) as `massless_structure` and `expect_solvable`.
 Motion integrate_massless(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                           const Massless& settings, record::Recorder recorder, const std::stop_token& stop = {});
 

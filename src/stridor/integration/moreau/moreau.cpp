@@ -10,8 +10,8 @@
 
 #include "stridor/integration/moreau/moreau.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/imposed_force.hpp"
 #include "stridor/integration/moreau/moreau_run.hpp"
 #include "stridor/integration/step_samples.hpp"
@@ -258,23 +258,9 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
 }
 
-void expect_circular_cones(const model::Structure& structure) {
-    for (const model::ContactPoint& contact : structure.contacts)
-        if (model::has_two_tangents(contact) && !std::holds_alternative<model::Coulomb>(contact.friction))
-            throw Error(ErrorKind::input, {"the moreau engine cannot solve this structure",
-                                           "friction in a plane has a circular cone: the same coefficients every way",
-                                           "Use friction = \"coulomb\"."});
-}
-
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Moreau& settings, record::Recorder recorder, const std::stop_token& stop) {
-    expect_circular_cones(structure);
-    for (const model::ContactPoint& contact : structure.contacts) {
-        if (!std::holds_alternative<model::Plastic>(contact.impact))
-            throw Error(ErrorKind::input,
-                        {"the moreau engine cannot solve this structure",
-                         "its impacts are what its steps make of them: plastic", "Use impact = \"plastic\"."});
-    }
+    expect_solvable(structure, parameters::Method::moreau);
     ModalStructure modal = modal_structure(structure);
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);

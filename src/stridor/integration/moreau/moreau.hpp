@@ -19,9 +19,6 @@ struct Moreau {
 /// other way. Accuracy asks for far less.
 double longest_step(const ModalStructure& structure);
 
-/// Refuses friction that depends on the direction where a contact slips in a plane: throws `Error` (input).
-void expect_circular_cones(const model::Structure& structure);
-
 /// Solves the motion of a structure with many contacts by time steps: the free structure moves exactly, and contact
 /// forces are constant within a step.
 ///
@@ -32,8 +29,7 @@ void expect_circular_cones(const model::Structure& structure);
 ///
 /// Costs: 4 n p operations a step and 4 p² per change of a contact's state. Returns `painleve` or `no_forces` with the
 /// time where no states obey the laws, `diverged`, `step_limit` beyond `longest_step`, `cancelled` soon after a stop
-/// request. It solves any law of friction in `model` and plastic impacts. Throws `Error` (input) for other impacts, by
-/// name, and what `modal_structure` refuses.
+/// request. Throws `Error` (input) as `expect_solvable` and for what `modal_structure` refuses.
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Moreau& settings, record::Recorder recorder, const std::stop_token& stop = {});
 

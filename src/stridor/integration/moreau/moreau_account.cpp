@@ -50,9 +50,10 @@ void MoreauRun::press() {
 
 std::vector<record::Outlook> MoreauRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(set_.size());
-    const bool has_plane = std::any_of(structure_.contacts.begin(), structure_.contacts.end(),
-                                       [](const ModalContact& contact) { return !contact.second_tangent.empty(); });
-    const bool may_know = outcome.reason == Reason::completed && parameters::is_steady(drive_) && !has_plane &&
+    const bool is_linear = std::all_of(
+        structure_.contacts.begin(), structure_.contacts.end(),
+        [](const ModalContact& contact) { return contact.second_tangent.empty() && is_state_wise(contact.friction); });
+    const bool may_know = outcome.reason == Reason::completed && parameters::is_steady(drive_) && is_linear &&
                           structure_.modes() <= most_proven_modes;
     if (!may_know) return known;
     std::vector<double> since;

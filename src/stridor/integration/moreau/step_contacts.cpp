@@ -4,6 +4,7 @@
 
 #include "stridor/integration/moreau/step_contacts.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets/painleve.hpp"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double trial_rounding = 1e-10;     // [1] of the largest force or velocity: what a few hundred exchanges leave
 constexpr double least_force_pivot = 1e-13;  // [1] of the diagonal: contacts with less depend on each other
 constexpr long exchanges_per_row = 20;       // before the tableau begins anew: rounding adds up
+constexpr double ratio_rounding = 1e-12;     // [1] of a T/N that changes with the slip velocity
+constexpr int most_ratio_turns = 40;         // Newton's steps; two are usual: a step changes a velocity by little
 
 }  // namespace
 
@@ -32,7 +35,9 @@ StepContacts::StepContacts(const ModalStructure& structure, Eigen::MatrixXd resp
       direction_(set.size(), {1.0, 0.0}),
       tried_(set.size()),
       force_(plan_.rows(), 0.0),
-      rate_(plan_.rows(), 0.0) {
+      rate_(plan_.rows(), 0.0),
+      is_state_wise_(std::all_of(structure.contacts.begin(), structure.contacts.end(),
+                                 [](const ModalContact& contact) { return is_state_wise(contact.friction); })) {
     // in a plane a slip has no sign: it begins as a stick, and finds its direction
     for (std::size_t k = 0; k < set.size(); ++k)
         change(k, is_slip(set[k]) && plan_.has_two_tangents(k) ? ContactMode::stick : set[k]);
@@ -90,6 +95,49 @@ bool StepContacts::is_pressed_by(std::size_t contact, ContactMode mode) const {
     return !(response_(at, at) - std::abs(ratio) * across > 0.0);
 }
 
+// the slips whose friction changes with their velocity
+std::vector<std::size_t> StepContacts::changing_slips() const {
+    std::vector<std::size_t> slips;
+    if (is_state_wise_) return slips;
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (is_slip(set_[k]) && !is_state_wise(structure_.contacts[k].friction)) slips.push_back(k);
+    return slips;
+}
+
+// Newton's method for ratios that are those of the slip velocities they leave. A change dr of contact l changes T there
+// by N dr beside ratio N (D: slip velocities per unit of that), so r_k - ratio_k(w_k) changes by
+//
+//     dr_k - ratio_k' sum D_kl N_l dr_l
+bool StepContacts::settle_ratios() {
+    const std::vector<std::size_t> slips = changing_slips();
+    if (slips.empty()) return true;
+    const auto count = static_cast<Eigen::Index>(slips.size());
+    for (int turn = 0; turn < most_ratio_turns; ++turn) {
+        Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(count, count);
+        Eigen::VectorXd off(count);
+        for (Eigen::Index a = 0; a < count; ++a) {
+            const std::size_t k = slips[static_cast<std::size_t>(a)];
+            const std::size_t row = plan_.first[k] + 1;
+            const model::FrictionLaw& law = structure_.contacts[k].friction;
+            const double w = tableau_.follows(row);
+            off(a) = friction_[row] - slip_ratio(law, way_of(set_[k]), w);
+            const double change = slip_ratio_slope(law, way_of(set_[k]), w);
+            for (Eigen::Index b = 0; b < count; ++b) {
+                const std::size_t normal = plan_.first[slips[static_cast<std::size_t>(b)]];
+                slope(a, b) -= change * tableau_.entry(row, normal + 1) * tableau_.follows(normal);
+            }
+        }
+        if (off.cwiseAbs().maxCoeff() <= ratio_rounding) return true;
+        const Eigen::VectorXd turned = slope.partialPivLu().solve(off);
+        if (!turned.allFinite()) return false;
+        for (Eigen::Index a = 0; a < count; ++a) {
+            const std::size_t row = plan_.first[slips[static_cast<std::size_t>(a)]] + 1;
+            set_friction(row, friction_[row] - turned(a));
+        }
+    }
+    return false;
+}
+
 void StepContacts::rebuild() {
     const std::vector<ContactMode> set = set_;
     tableau_ = ExchangeTableau(response_);
@@ -138,7 +186,7 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
         speed_ = std::max(speed_, std::abs(rate));
     const std::size_t most_changes = 40 + 20 * p;
     for (std::size_t round = 0; round < most_changes; ++round) {
-        if (!settle_directions()) return Search::endless;
+        if (!settle_directions() || !settle_ratios()) return Search::endless;
         TrialScale scale{.rounding = trial_rounding};
         for (std::size_t k = 0; k < p; ++k) {
             if (touches[k] == 0) continue;

@@ -20,6 +20,9 @@ namespace stridor::integration {
 /// Where a contact has two tangents w and T are vectors in the plane of contact and the cone of friction is circular:
 /// the direction of each slip follows from Newton's method over the angles of all (step_directions.cpp), to rounding.
 ///
+/// Where friction changes with the slip velocity the ratio of each slip follows likewise from Newton's method: it is
+/// that of the velocity at the step's end.
+///
 /// Begins with the states of the step before, and changes the contact that is farthest from its law until none is. A
 /// limit that broke is that of the slip until the step has ended. The solved system of a set of states is kept and
 /// exchanged contact by contact (`ExchangeTableau`): no sweeps, whatever couples the contacts.
@@ -53,6 +56,8 @@ private:
     void set_directions(std::size_t contact);
     bool settle_directions();
     std::vector<std::size_t> turning();
+    std::vector<std::size_t> changing_slips() const;
+    bool settle_ratios();
     bool is_pressed_by(std::size_t contact, ContactMode mode) const;
     void rebuild();
     void look(std::size_t contact);
@@ -70,6 +75,7 @@ private:
     std::vector<std::array<double, 2>> direction_;  // [1] of a slip of two tangents, length one, shape [contact]
     std::vector<TriedContact> tried_;               // shape [contact]
     std::vector<double> force_, rate_;              // of the trial, shape [row]
+    bool is_state_wise_;                            // all laws of friction
     double speed_ = 0.0;                            // [m/s] what directions are held against
     bool is_singular_ = false;
     long changes_ = 0;

@@ -11,8 +11,8 @@
 #include "stridor/integration/taylor/taylor.hpp"
 
 #include "stridor/base/elementary.hpp"
-#include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/taylor/event_polynomial.hpp"
 #include "stridor/integration/taylor/taylor_run.hpp"
@@ -266,16 +266,7 @@ Motion TaylorRun::run(const std::stop_token& stop) {
 
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Taylor& settings, record::Recorder recorder, const std::stop_token& stop) {
-    model::expect_one_tangent(structure, "the Taylor engine");
-    if (structure.shaken.size() != 0)
-        throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",
-                                       "a force shakes it, and its events follow a "
-                                       "surface that moves",
-                                       "Set run.engine = \"moreau\"."});
-    for (const model::ContactPoint& contact : structure.contacts)
-        if (!std::holds_alternative<model::Plastic>(contact.impact))
-            throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",
-                                           "it knows plastic impacts only", "Use impact = \"plastic\"."});
+    expect_solvable(structure, parameters::Method::taylor);
     return TaylorRun(structure, drive, start, settings, recorder).run(stop);
 }
 

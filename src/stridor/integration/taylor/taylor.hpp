@@ -23,8 +23,7 @@ struct Taylor {
 ///
 /// Costs: some 25 (4 n a + a²) operations a block of 2/Omega, a the closed and stuck contacts, and three blocks an
 /// event. Returns `diverged`, `chattering`, `painleve` or `no_forces` with the time, `cancelled` soon after a stop
-/// request. It solves any law of friction in `model` and plastic impacts. Throws `Error`: input for other impacts, by
-/// name, and what `modal_structure` refuses.
+/// request. Throws `Error` (input) as `expect_solvable` and for what `modal_structure` refuses.
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Taylor& settings, record::Recorder recorder, const std::stop_token& stop = {});
 

@@ -1,0 +1,157 @@
+#include "stridor/parameters/engines.hpp"
+
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace stridor::parameters {
+
+namespace {
+
+// what some methods cannot do; whatever stands in no row, they can
+struct Lack {
+    Demand demand;
+    std::initializer_list<Method> methods;
+    std::string_view what;  // behind the name of the engine
+    std::string_view why;
+    std::string_view remedy;
+};
+
+const Lack lacks[] = {
+    {Demand::several_contacts,
+     {Method::exact, Method::beta_2},
+     "knows one contact",
+     "several joints are solved by exact or moreau",
+     "Set run.engine = \"exact\"."},
+    {Demand::own_structure,
+     {Method::beta_2},
+     "knows the paper's joint",
+     "a structure of one's own is solved by exact or moreau",
+     "Set run.engine = \"exact\"."},
+    {Demand::any_size,
+     {Method::exact},
+     "knows two or three degrees of freedom",
+     "more are solved by Taylor series, or by steps",
+     "Use the Taylor engine."},
+    {Demand::two_tangents,
+     {Method::exact, Method::taylor, Method::beta_2},
+     "knows one direction of slip",
+     "its events, or the trial of its steps, are of one",
+     "Set run.engine = \"moreau\"."},
+    {Demand::other_cone,
+     {Method::exact, Method::taylor, Method::moreau, Method::massless, Method::beta_2},
+     "knows a circular cone alone for friction in a plane",
+     "it has the same coefficients every way",
+     "Set friction = \"coulomb\"."},
+    {Demand::imposed_force,
+     {Method::exact, Method::taylor, Method::beta_2},
+     "knows no drive by force",
+     "its events, or its steps, follow a surface that moves",
+     "Set run.engine = \"moreau\"."},
+    {Demand::other_impacts,
+     {Method::taylor},
+     "knows plastic impacts only beyond the paper's joint",
+     "other laws say nothing of impacts that meet at the same instant",
+     "Set impact = \"plastic\"."},
+    {Demand::other_impacts,
+     {Method::moreau, Method::massless, Method::beta_2},
+     "knows plastic impacts only",
+     "its impacts are what its steps make of them",
+     "Set impact = \"plastic\", or run.engine = \"exact\" for a joint alone."},
+    {Demand::other_friction,
+     {Method::exact, Method::taylor},
+     "knows no friction that changes with the slip velocity",
+     "what it solves between events is linear",
+     "Set run.engine = \"moreau\", or \"beta_2\" for a joint alone."},
+    {Demand::other_friction,
+     {Method::massless},
+     "knows no friction that changes with the slip velocity without inertia at the contacts",
+     "there forces answer places, not velocities",
+     "Set run.formulation = \"standard\"."},
+    {Demand::massless_rows,
+     {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
+     "needs mass in each row",
+     "events and impacts need inertia",
+     "Set run.engine = \"moreau\" and run.formulation = \"massless\"."},
+    {Demand::joint,
+     {Method::massless},
+     "cannot leave out inertia: the contact of a joint has inertia",
+     "its mass stands there: without it another system moves",
+     "Use \"standard\"; a structure of your own may do without."},
+};
+
+}  // namespace
+
+std::optional<base::Problem> refusal(Method method, const Asked& asked, std::string_view name) {
+    if (name.empty()) name = method_names[static_cast<std::size_t>(method)];
+    for (const Lack& lack : lacks)
+        if (lack.demand == asked.demand && std::count(lack.methods.begin(), lack.methods.end(), method) > 0)
+            return base::Problem{"the " + std::string(name) + " engine " + std::string(lack.what) +
+                                     (asked.where.empty() ? "" : ": " + asked.where),
+                                 std::string(lack.why), std::string(lack.remedy)};
+    return std::nullopt;
+}
+
+std::vector<Method> methods_of(const Case& c) {
+    switch (c.run.engine) {
+        case Engine::exact:
+            return {c.own_structure || !c.further_joints.empty() ? Method::taylor : Method::exact};
+        case Engine::beta_2:
+            return {Method::beta_2};
+        case Engine::moreau:
+            break;
+    }
+    if (c.run.formulation == Formulation::standard) return {Method::moreau};
+    if (c.run.formulation == Formulation::massless) return {Method::massless};
+    return {Method::moreau, Method::massless};
+}
+
+std::vector<Asked> demands_of(const Case& c) {
+    std::vector<Asked> asked;
+    if (!c.own_structure) asked.push_back({Demand::joint});
+    if (c.own_structure) {
+        asked.push_back({Demand::own_structure});
+        if (const std::optional<std::size_t> row = massless_row(*c.own_structure))
+            asked.push_back({Demand::massless_rows, "row " + c.own_structure->row[*row] + " has no mass"});
+        const std::vector<OwnContact>& contacts = c.own_structure->contacts;
+        const auto plane = std::find_if(contacts.begin(), contacts.end(),
+                                        [](const OwnContact& contact) { return !contact.second_tangent.empty(); });
+        if (plane != contacts.end()) {
+            const std::string where = "contact \"" + plane->name + "\" slips in two directions";
+            asked.push_back({Demand::two_tangents, where});
+            if (c.contact.friction != FrictionKind::coulomb) asked.push_back({Demand::other_cone, where});
+        }
+        if (is_by_force(c.drive) && !c.own_structure->force.empty()) asked.push_back({Demand::imposed_force});
+    }
+    if (!c.further_joints.empty()) asked.push_back({Demand::several_contacts});
+    if (c.contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
+    if (!is_state_wise(c.contact.friction)) asked.push_back({Demand::other_friction});
+    return asked;
+}
+
+DemandKeys keys_of(Demand demand) {
+    switch (demand) {
+        case Demand::other_cone:
+            return {"contact.friction"};
+        case Demand::other_impacts:
+            return {"contact.impact", {"run.engine"}};
+        case Demand::other_friction:
+            return {"contact.friction", {"run.engine", "run.formulation"}};
+        case Demand::imposed_force:
+            return {"run.engine", {"drive.kind"}};
+        case Demand::massless_rows:
+            return {"run.engine", {"run.formulation"}};
+        case Demand::joint:
+            return {"run.formulation", {"run.engine"}};
+        case Demand::several_contacts:
+        case Demand::own_structure:
+        case Demand::any_size:
+        case Demand::two_tangents:
+            break;
+    }
+    return {"run.engine"};
+}
+
+}  // namespace stridor::parameters

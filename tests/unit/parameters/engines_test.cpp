@@ -1,0 +1,54 @@
+#include "stridor/parameters/engines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace stridor::parameters {
+namespace {
+
+constexpr Method methods[] = {Method::exact, Method::taylor, Method::moreau, Method::massless, Method::beta_2};
+
+// the row of a demand in the table of docs/methods/engines.md
+std::string row_of(std::size_t demand) {
+    std::string row = "| " + std::string(demand_names[demand]) + " |";
+    for (const Method method : methods)
+        row += refusal(method, {static_cast<Demand>(demand)}) ? " |" : " yes |";
+    return row;
+}
+
+TEST(Engines, AreDescribedByTheirTable) {
+    std::ifstream page(STRIDOR_SOURCE_DIR "/docs/methods/engines.md");
+    std::string text;
+    for (std::string line; std::getline(page, line);)
+        text += line + "\n";
+    for (std::size_t demand = 0; demand < demand_names.size(); ++demand)
+        EXPECT_NE(text.find("\n" + row_of(demand) + "\n"), std::string::npos) << row_of(demand);
+}
+
+TEST(Engines, RefuseByNameWithAReasonAndAWayOut) {
+    for (std::size_t demand = 0; demand < demand_names.size(); ++demand)
+        for (const Method method : methods)
+            if (const auto problem = refusal(method, {static_cast<Demand>(demand)}, "best")) {
+                EXPECT_TRUE(problem->what.starts_with("the best engine ")) << problem->what;
+                EXPECT_FALSE(problem->why.empty()) << problem->what;
+                EXPECT_FALSE(problem->suggestion.empty()) << problem->what;
+            }
+}
+
+TEST(Engines, FollowFromEngineAndFormulation) {
+    Case c;
+    EXPECT_EQ(methods_of(c), std::vector{Method::exact});
+    c.further_joints.emplace_back();
+    EXPECT_EQ(methods_of(c), std::vector{Method::taylor});
+    c.run.engine = Engine::moreau;
+    EXPECT_EQ(methods_of(c), std::vector{Method::moreau});
+    c.run.formulation = Formulation::both;
+    EXPECT_EQ(methods_of(c), (std::vector{Method::moreau, Method::massless}));
+    c.run.engine = Engine::beta_2;
+    EXPECT_EQ(methods_of(c), std::vector{Method::beta_2});
+}
+
+}  // namespace
+}  // namespace stridor::parameters
