@@ -170,7 +170,8 @@ export class Quiet implements ViewPart {
       h(
         "p",
         { id: "nearest" },
-        `All parameters together: ${nearest ? `the nearest ${as} design is ${nearestText(nearest)}` : `no ${as} design was found`}`,
+        "All parameters together: " +
+          (nearest ? `the nearest ${as} design is ${nearestText(nearest)}` : `no ${as} design was found`),
       ),
     );
     this.change_.dataset.preset = design.preset;

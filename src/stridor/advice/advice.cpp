@@ -181,27 +181,23 @@ void work_out(Advice& advice, AdviceStage& stage, const AdviceOptions& options, 
     advice.chance = chance_of(advice, options, runner);
 }
 
-parameters::Case changed_case(const DesignSpace& space, const DesignChange& change) {
-    parameters::Case c = space.base;
-    for (const ParameterChange& each : change.set)
-        parameters::set_quantity(c, space.parameters[each.parameter].key, each.to);
-    return c;
-}
-
-// where the recommended change leads; its runs come on top of those so far
-void look_at_changed(Advice& advice, const AdviceOptions& options) {
+// where the recommended change leads, as if it were the case
+void look_at_changed(Advice& advice, const AdviceOptions& options, DesignRunner& runner) {
     const DesignChange& change = advice.changes[*advice.recommended];
-    ChangedDesign& changed = advice.changed.emplace();
-    const DesignSpace& space = changed.standing.space =
-        design_space(changed_case(advice.space, change), {}, options.runs);
-    changed.standing.present = change.verdict;
-    DesignRunner runner(space, options.crew, options.stop);
-    runner.on_progress([&, before = advice.runs](std::size_t runs) {
-        advice.runs = before + runs;
-        if (options.progress) options.progress({AdviceStage::chance, advice.runs, 1.0});
+    parameters::Case c = advice.space.base;
+    std::vector<Design::Setting> settings;
+    for (const ParameterChange& each : change.set) {
+        settings.push_back({advice.space.parameters[each.parameter].key, each.to});
+        parameters::set_quantity(c, settings.back().key, settings.back().value);
+    }
+    runner.set_out_from(std::move(settings));
+    runner.on_progress([&options](std::size_t runs) {
+        if (options.progress) options.progress({AdviceStage::chance, runs, 1.0});
     });
-    changed.standing.near = neighbourhood(space, runner);
-    changed.chance = chance_within(space.base, possible(space.base, options.tolerances), options, runner);
+    ChangedDesign& changed = advice.changed.emplace();
+    changed.standing = {design_space(c, {}, options.runs), change.verdict, {}};
+    changed.standing.near = neighbourhood(changed.standing.space, runner);
+    changed.chance = chance_within(c, possible(c, options.tolerances), options, runner);
 }
 
 }  // namespace
@@ -210,37 +206,30 @@ Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     Advice advice;
     advice.space = design_space(c, options.over, options.runs);
     tolerances(c, options.tolerances);  // what is wrong with them is said before the work
+    DesignRunner runner(advice.space, options.crew, options.stop);
     AdviceStage stage = AdviceStage::margins;
-    const auto note_stop = [&](const Error& error) {
+    try {
+        work_out(advice, stage, options, runner);
+        put_in_order(advice);
+        if (advice.recommended) look_at_changed(advice, options, runner);
+    } catch (const Error& error) {
         if (error.kind() != ErrorKind::interrupted || options.when_stopped == WhenStopped::refused) throw;
         advice.stopped_in = stage;
-    };
-    {
-        DesignRunner runner(advice.space, options.crew, options.stop);
-        try {
-            work_out(advice, stage, options, runner);
-        } catch (const Error& error) {
-            note_stop(error);
-        }
-        advice.runs = runner.runs();
+        put_in_order(advice);
     }
-    put_in_order(advice);
-    if (!advice.recommended || advice.stopped_in) return advice;
-    try {
-        look_at_changed(advice, options);
-    } catch (const Error& error) {
-        note_stop(error);
-    }
+    advice.runs = runner.runs();
     return advice;
 }
 
 std::string changed_words(const ChangedDesign& changed) {
-    std::string text = headline(changed.standing);
+    const std::string text = headline(changed.standing);
     if (!changed.chance) return text;
     const Estimate& noise = changed.chance->noise;
-    return text + fmt::format("; chance of noise within {} {:.2g} % ({:.2g} to {:.2g} %)",
+    const bool is_narrowed = changed.chance->is_default && !narrowed_frictions(changed.standing.space.base).empty();
+    return text + fmt::format("; chance of noise within {} {:.2g} % ({:.2g} to {:.2g} %){}",
                               changed.chance->is_default ? "usual tolerances" : "these tolerances", 100.0 * noise.share,
-                              100.0 * noise.low, 100.0 * noise.high);
+                              100.0 * noise.low, 100.0 * noise.high,
+                              is_narrowed ? ", friction varied by less than usual since mu_d stays below mu_s" : "");
 }
 
 std::string settings_of(const DesignSpace& space, const DesignChange& change) {

@@ -179,8 +179,12 @@ DesignRunner::DesignRunner(const DesignSpace& space, const crew::CrewMaker& crew
 
 std::vector<DesignVerdict> DesignRunner::judge(std::span<const Design> designs) {
     std::vector<crew::Task> tasks = crew::numbered_tasks(designs.size());
-    for (crew::Task& task : tasks)
-        task.bytes = packed(designs[task.number]);
+    for (crew::Task& task : tasks) {
+        Design design{first_};
+        const std::vector<Design::Setting>& own = designs[task.number].settings;
+        design.settings.insert(design.settings.end(), own.begin(), own.end());
+        task.bytes = packed(design);
+    }
     std::vector<DesignVerdict> verdicts(designs.size());
     std::size_t known = 0;
     const auto take = [&](const crew::Result& result) {

@@ -10,6 +10,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::advice {
@@ -60,6 +61,9 @@ public:
     /// The same for points of the box.
     std::vector<DesignVerdict> judge(std::span<const Shares> points);
 
+    /// Makes all designs from here on changes of a changed design: its settings come before their own.
+    void set_out_from(std::vector<Design::Setting> settings) { first_ = std::move(settings); }
+
     /// Called from the caller's thread ten times a second, with the number of runs so far.
     void on_progress(std::function<void(std::size_t runs)> progress);
 
@@ -70,6 +74,7 @@ private:
     const DesignSpace& space_;
     std::unique_ptr<crew::Crew> crew_;
     std::function<void(std::size_t)> progress_{};
+    std::vector<Design::Setting> first_{};
     std::size_t runs_ = 0;
 };
 

@@ -47,7 +47,7 @@ TEST(Headline, SaysWhatItDoesEachWay) {
 TEST(Headline, CallsNothingQuietAroundWhichNobodyLooked) {
     const DesignVerdict quiet = verdict({silent, silent});
     EXPECT_EQ(standing(quiet, std::nullopt), Standing::quiet_here);
-    EXPECT_EQ(headline(lip(), quiet, std::nullopt), "quiet here; within 5 % of it nobody looked yet");
+    EXPECT_EQ(headline(lip(), quiet, std::nullopt), "quiet here; changes within 5 % were not tried yet");
     EXPECT_EQ(standing(quiet, Neighbourhood{}), Standing::quiet);
     EXPECT_EQ(headline(lip(), quiet, Neighbourhood{}),
               "quiet, and at 9 steps from 0.1 to 5 % more and less of each quantity too");

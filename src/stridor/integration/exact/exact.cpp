@@ -14,6 +14,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/exact/event_root.hpp"
 #include "stridor/integration/exact/run.hpp"
+#include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
 

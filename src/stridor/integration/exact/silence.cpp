@@ -1,5 +1,7 @@
 #include "stridor/integration/exact/silence.hpp"
 
+#include "stridor/integration/exact/contact_transition.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 

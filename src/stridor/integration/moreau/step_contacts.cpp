@@ -38,6 +38,8 @@ StepContacts::StepContacts(const ModalStructure& structure, Eigen::MatrixXd resp
       rate_(plan_.rows(), 0.0),
       is_state_wise_(std::all_of(structure.contacts.begin(), structure.contacts.end(),
                                  [](const ModalContact& contact) { return is_state_wise(contact.friction); })) {
+    for (std::size_t k = 0; k < set.size(); ++k)
+        pressed_.push_back({has_painleve(k, model::Slip::forward), has_painleve(k, model::Slip::backward)});
     // in a plane a slip has no sign: it begins as a stick, and finds its direction
     for (std::size_t k = 0; k < set.size(); ++k)
         change(k, is_slip(set[k]) && plan_.has_two_tangents(k) ? ContactMode::stick : set[k]);
@@ -85,11 +87,17 @@ void StepContacts::set_directions(std::size_t contact) {
 }
 
 // Painleve: friction of this slip presses the contact together more than N parts it
+bool StepContacts::has_painleve(std::size_t contact, model::Slip way) const {
+    const auto at = static_cast<Eigen::Index>(plan_.first[contact]);
+    const double ratio = slip_ratio(structure_.contacts[contact].friction, way);
+    return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
+}
+
 bool StepContacts::is_pressed_by(std::size_t contact, ContactMode mode) const {
     if (!is_slip(mode)) return false;
+    if (!plan_.has_two_tangents(contact)) return pressed_[contact][index_of(way_of(mode))];
     const auto at = static_cast<Eigen::Index>(plan_.first[contact]);
     const double ratio = slip_ratio(structure_.contacts[contact].friction, way_of(mode));
-    if (!plan_.has_two_tangents(contact)) return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
     const std::array<double, 2>& along = direction_[contact];
     const double across = along[0] * response_(at, at + 1) + along[1] * response_(at, at + 2);
     return !(response_(at, at) - std::abs(ratio) * across > 0.0);

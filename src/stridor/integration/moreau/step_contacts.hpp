@@ -59,6 +59,7 @@ private:
     std::vector<std::size_t> changing_slips() const;
     bool settle_ratios();
     bool is_pressed_by(std::size_t contact, ContactMode mode) const;
+    bool has_painleve(std::size_t contact, model::Slip way) const;
     void rebuild();
     void look(std::size_t contact);
     void look_at_plane(std::size_t contact);
@@ -76,6 +77,7 @@ private:
     std::vector<TriedContact> tried_;               // shape [contact]
     std::vector<double> force_, rate_;              // of the trial, shape [row]
     bool is_state_wise_;                            // all laws of friction
+    std::vector<std::array<bool, 2>> pressed_;      // Painleve: by a slip along the tangent, shape [contact][slip]
     double speed_ = 0.0;                            // [m/s] what directions are held against
     bool is_singular_ = false;
     long changes_ = 0;
