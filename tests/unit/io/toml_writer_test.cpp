@@ -48,6 +48,7 @@ Case random_case() {
     c.run.window = c.run.duration / 3.0;
     c.run.step = c.run.duration / 7e5;
     if (c.drive.velocity == 0.0) c.drive.velocity = 0.1;
+    if (!parameters::is_state_wise(c.contact.friction)) c.run.engine = parameters::Engine::moreau;
     if (c.run.engine == parameters::Engine::moreau) c.contact.impact = parameters::ImpactKind::plastic;
     c.run.formulation = parameters::Formulation::standard;  // a joint has inertia
     c.verdict.settling *= 0.4;
