@@ -1,7 +1,8 @@
 #include "stridor/io/chart/chart_netcdf.hpp"
 
+#include "stridor/base/child_process.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/base/hash.hpp"
-#include "stridor/base/separate_process.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_bands.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
@@ -217,16 +218,16 @@ struct BandSize {
 };
 
 // the parts that another process sends
-void receive_bands(const base::Receive& receive, const TakeBand& take) {
+void receive_bands(const base::ChildProcess::Channel& channel, const TakeBand& take) {
     BandSize size;
     BandValues values;
-    while (receive(std::as_writable_bytes(std::span(&size, 1)))) {
+    while (channel.receive(std::as_writable_bytes(std::span(&size, 1)))) {
         values.band = size.band;
         values.first_figure = size.first_figure;
         values.figures.resize(size.figures);
         values.starts.resize(size.starts);
-        receive(std::as_writable_bytes(std::span(values.figures)));
-        receive(std::as_writable_bytes(std::span(values.starts)));
+        channel.receive(std::as_writable_bytes(std::span(values.figures)));
+        channel.receive(std::as_writable_bytes(std::span(values.starts)));
         take(values);
     }
 }
@@ -237,20 +238,24 @@ void receive_bands(const base::Receive& receive, const TakeBand& take) {
 /// be used by two processes.
 void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
                  std::span<const sweep::CellFigure> figures) {
-    base::SeparateProcess writer("cannot write \"" + path + "\"", [&](const base::Receive& receive) {
+    const auto failure = [&](const std::string& reason) {
+        return Error(ErrorKind::io, {"cannot write \"" + path + "\"", reason, "Make room, or write elsewhere."});
+    };
+    base::ChildProcess writer({}, [&](const base::ChildProcess::Channel& channel) {
         // it is a file of ours, locked by us
         ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
         NetcdfDataset file(path, temporary);
-        put_chart(file, result, figures, [&](const TakeBand& take) { receive_bands(receive, take); });
+        put_chart(file, result, figures, [&](const TakeBand& take) { receive_bands(channel, take); });
         file.finish();
     });
     visit_bands(result, {figures}, [&](const BandValues& values) {
         const BandSize size{values.band, values.first_figure, values.figures.size(), values.starts.size()};
-        writer.send(std::as_bytes(std::span(&size, 1)));
-        writer.send(std::as_bytes(std::span(values.figures)));
-        writer.send(std::as_bytes(std::span(values.starts)));
+        const bool is_heard = writer.send(std::as_bytes(std::span(&size, 1))) &&
+                              writer.send(std::as_bytes(std::span(values.figures))) &&
+                              writer.send(std::as_bytes(std::span(values.starts)));
+        if (!is_heard) throw failure(writer.finish());
     });
-    writer.finish();
+    if (const std::string reason = writer.finish(); !reason.empty()) throw failure(reason);
 }
 
 // what a chart takes on the disk at most [bytes], generously

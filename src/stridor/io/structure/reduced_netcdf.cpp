@@ -1,6 +1,6 @@
 #include "stridor/io/structure/reduced_netcdf.hpp"
 
-#include "stridor/base/confined_process.hpp"
+#include "stridor/base/child_process.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/packed_bytes.hpp"
@@ -276,7 +276,7 @@ private:
 };
 
 // runs where it may do nothing but read its file and answer
-void answer(const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
+void answer(const base::ChildProcess::Channel& channel, std::uint64_t size) {
     constexpr int descriptor = 4;  // what a confined process gets
     std::string bytes(size, '\0');
     for (std::size_t done = 0; done < bytes.size();) {
@@ -325,10 +325,10 @@ PartContent asked(const std::string& path) {
     const auto bytes = recordings::open_plain_bytes(path);
     const auto descriptor = bytes->descriptor();
     if (!descriptor || bytes->size() > largest_file) throw recordings::refusal(path, "it is no reduced part");
-    base::ConfinedProcess process(
+    base::ChildProcess process(
         // the largest part takes a second; a damaged file may send the library round in circles
-        {.memory = std::uint64_t{8} << 30U, .processor_time = 20, .patience = 60, .file = *descriptor},
-        [&](const base::ConfinedProcess::Channel& channel) { answer(channel, bytes->size()); });
+        base::Confines{.memory = std::uint64_t{8} << 30U, .processor_time = 20, .patience = 60, .file = *descriptor},
+        [&](const base::ChildProcess::Channel& channel) { answer(channel, bytes->size()); });
     std::uint64_t length = 0;
     std::string text;
     bool is_whole = process.receive(std::as_writable_bytes(std::span(&length, 1))) && length <= longest_answer;

@@ -18,7 +18,7 @@ bool is_netcdf(std::string_view beginning);
 /// Do these name one file alone, and that a reduced part's? Throws `Error` (io) where it cannot be opened.
 bool is_reduced_part(const PartFiles& files);
 
-/// Reads such a file. The library works in a process of its own that may do nothing else (base/confined_process); what
+/// Reads such a file. The library works in a process of its own that may do nothing else (base/child_process); what
 /// it answers is checked. Throws `Error` (input) for a file that is no reduced part, or is damaged.
 reduction::Reduction read_reduced_part(const std::string& path);
 

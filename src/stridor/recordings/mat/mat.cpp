@@ -1,7 +1,7 @@
 #include "stridor/recordings/mat/mat.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/base/confined_process.hpp"
+#include "stridor/base/child_process.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/mat/mat_choice.hpp"
@@ -193,8 +193,8 @@ class MatioProcess final : public mat::Answers {
 public:
     MatioProcess(const Matio& matio, const SignalInput& input, unsigned openings)
         : input_(with_a_name(input.bytes)),
-          process_({memory_of_library, processor_time, 120, openings, *input_->descriptor()},
-                   [&](const base::ConfinedProcess::Channel& channel) { answer_with_matio(matio, channel); }) {}
+          process_(base::Confines{memory_of_library, processor_time, 120, openings, *input_->descriptor()},
+                   [&](const base::ChildProcess::Channel& channel) { answer_with_matio(matio, channel); }) {}
 
     void send(std::span<const std::byte> bytes) override { process_.send(bytes); }
     bool receive(std::span<std::byte> into) override { return process_.receive(into); }
@@ -225,7 +225,7 @@ private:
 
     std::optional<storage::PrivateFolder> folder_;
     std::shared_ptr<const Bytes> input_;
-    base::ConfinedProcess process_;
+    base::ChildProcess process_;
 };
 
 #endif

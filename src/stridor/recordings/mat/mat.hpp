@@ -20,7 +20,7 @@ bool is_mat(std::string_view beginning);
 /// Opens the vectors and matrices of a MAT file through libmatio; what they are called and which are the channels says
 /// `mat::choose`. Numbers keep their bits.
 ///
-/// The library is optional. It works in a confined process (`base::ConfinedProcess`) that gets this one file: what
+/// The library is optional. It works in a confined process (`base::ChildProcess`) that gets this one file: what
 /// damaged bytes do to it, or to HDF5 behind it, is an error and no more. Times must be even as in a table. Throws
 /// `Error` (input) where the library is missing, with what to install; for what is damaged, cut off, or longer than its
 /// bytes can hold; and where no recording can be chosen.

@@ -13,7 +13,7 @@ namespace stridor::recordings {
 
 namespace {
 
-using base::ConfinedProcess;
+using base::ChildProcess;
 
 /// A variable of the file; `info` lives as long as the process.
 struct Found {
@@ -104,12 +104,12 @@ bool load(const Matio& matio, mat_t* file, Found& found) {
 }
 
 template <typename Plain>
-void send(const ConfinedProcess::Channel& channel, const Plain& plain) {
+void send(const ChildProcess::Channel& channel, const Plain& plain) {
     channel.send(std::as_bytes(std::span(&plain, 1)));
 }
 
 template <typename Plain>
-bool receive(const ConfinedProcess::Channel& channel, Plain& plain) {
+bool receive(const ChildProcess::Channel& channel, Plain& plain) {
     return channel.receive(std::as_writable_bytes(std::span(&plain, 1)));
 }
 
@@ -148,7 +148,7 @@ std::vector<Found> list(const Matio& matio, mat_t* file) {
 }
 
 // the numbers of some columns, row by row; all of them are loaded and equally long
-void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Found>& all,
+void send_columns(const ChildProcess::Channel& channel, const std::vector<Found>& all,
                   const std::vector<mat::MatColumn>& columns) {
     constexpr std::size_t block_size = 8192;
     struct Walk {
@@ -187,8 +187,8 @@ const Matio* matio_library() {
     return opened.library.is_whole() ? &opened : nullptr;
 }
 
-void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& channel) {
-    mat_t* file = matio.open(ConfinedProcess::file_path, MAT_ACC_RDONLY);
+void answer_with_matio(const Matio& matio, const ChildProcess::Channel& channel) {
+    mat_t* file = matio.open(ChildProcess::file_path, MAT_ACC_RDONLY);
     if (file == nullptr) return send(channel, mat::Opened{});
     std::vector<Found> all = list(matio, file);
     send(channel, mat::Opened{1, static_cast<std::uint32_t>(all.size())});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/base/confined_process.hpp"
+#include "stridor/base/child_process.hpp"
 #include "stridor/base/opened_library.hpp"
 
 #include <matio.h>
@@ -25,6 +25,6 @@ struct Matio {
 const Matio* matio_library();
 
 /// Answers what is asked of the process' file (`mat_answers.hpp`) until nobody asks any more.
-void answer_with_matio(const Matio& matio, const base::ConfinedProcess::Channel& channel);
+void answer_with_matio(const Matio& matio, const base::ChildProcess::Channel& channel);
 
 }  // namespace stridor::recordings

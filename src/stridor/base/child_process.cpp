@@ -1,4 +1,4 @@
-#include "stridor/base/confined_process.hpp"
+#include "stridor/base/child_process.hpp"
 
 #include "stridor/base/error.hpp"
 
@@ -29,7 +29,7 @@ namespace stridor::base {
 namespace {
 
 // exit statuses
-constexpr int has_thrown = 1;
+constexpr int has_thrown = 1;  // where it is not confined, it has sent why
 constexpr int is_unheard = 2;
 constexpr int is_not_confined = 3;
 
@@ -37,6 +37,8 @@ constexpr int is_not_confined = 3;
 constexpr int channel_descriptor = 3;
 constexpr int file_descriptor = 4;
 constexpr unsigned known_descriptors = 5;
+
+constexpr std::size_t longest_reason = 4096;  // [bytes] longer ones are cut
 
 /// A system call that is allowed where its third argument has none of some bits.
 struct Allowed {
@@ -154,35 +156,53 @@ bool confine(const Confines& confines) {
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
 }
 
-[[noreturn]] void work_and_exit(int channel, const Confines& confines,
-                                const std::function<void(const ConfinedProcess::Channel&)>& work) {
-    // nobody hears what it answers to a process that has ended
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // what this program does on a signal is not the copy's business
+// bytes received; fewer than wanted at the end
+std::size_t receive_all(int channel, std::span<std::byte> into) {
+    std::size_t done = 0;
+    while (done < into.size()) {
+        const ssize_t count = ::read(channel, into.data() + done, into.size() - done);
+        if (count == 0 || (count < 0 && errno != EINTR)) break;
+        if (count > 0) done += static_cast<std::size_t>(count);
+    }
+    return done;
+}
+
+// what this program does on a signal is not the business of a copy that is confined
+bool enter(int channel, const Confines& confines) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGXCPU})
         std::signal(signal, SIG_DFL);
-    if (!keep_descriptors(channel, confines.file) || !confine(confines)) ::_exit(is_not_confined);
+    return keep_descriptors(channel, confines.file) && confine(confines);
+}
+
+[[noreturn]] void work_and_exit(int channel, const std::optional<Confines>& confines, const ChildProcess::Work& work) {
+    // nobody hears what it answers to a process that has ended, and half a work is of no use
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (confines && !enter(channel, *confines)) ::_exit(is_not_confined);
+    const ChildProcess::Channel end(confines ? channel_descriptor : channel);
+    std::string reason;
     try {
-        work(ConfinedProcess::Channel(channel_descriptor));
-    } catch (const std::exception&) {
-        // a confined process has no words of its own that anybody should trust
-        ::_exit(has_thrown);
+        work(end);
+        ::_exit(0);
+    } catch (const Error& error) {
+        reason = error.problem().why.empty() ? error.problem().what : error.problem().why;
+    } catch (const std::exception& error) {
+        reason = error.what();
     }
-    ::_exit(0);
+    // a confined process has no words of its own that anybody should trust
+    if (!confines) end.send(std::as_bytes(std::span(reason)));
+    ::_exit(has_thrown);
 }
 
 }  // namespace
 
-bool ConfinedProcess::Channel::receive(std::span<std::byte> into) const {
-    while (!into.empty()) {
-        const ssize_t count = ::read(descriptor_, into.data(), into.size());
-        if (count == 0 || (count < 0 && errno != EINTR)) return false;
-        if (count > 0) into = into.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
+bool ChildProcess::Channel::receive(std::span<std::byte> into) const {
+    const std::size_t count = receive_all(descriptor_, into);
+    if (count > 0 && count < into.size())
+        throw Error(ErrorKind::io, {"half of it", "the process that sent it died", ""});
+    return count == into.size();
 }
 
-void ConfinedProcess::Channel::send(std::span<const std::byte> bytes) const {
+void ChildProcess::Channel::send(std::span<const std::byte> bytes) const {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
         if (count < 0 && errno != EINTR) ::_exit(is_unheard);
@@ -190,8 +210,8 @@ void ConfinedProcess::Channel::send(std::span<const std::byte> bytes) const {
     }
 }
 
-ConfinedProcess::ConfinedProcess(const Confines& confines, const std::function<void(const Channel&)>& work)
-    : patience_(confines.patience) {
+ChildProcess::ChildProcess(const std::optional<Confines>& confines, const Work& work)
+    : patience_(confines ? confines->patience : 0) {
     const auto failure = [](int code) {
         return Error(ErrorKind::io,
                      {"no process of its own could be started", std::generic_category().message(code), ""});
@@ -200,7 +220,10 @@ ConfinedProcess::ConfinedProcess(const Confines& confines, const std::function<v
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw failure(errno);
     id_ = ::fork();
     const int code = errno;
-    if (id_ == 0) work_and_exit(ends[1], confines, work);
+    if (id_ == 0) {
+        ::close(ends[0]);
+        work_and_exit(ends[1], confines, work);
+    }
     ::close(ends[1]);
     channel_ = ends[0];
     if (id_ > 0) return;
@@ -208,20 +231,22 @@ ConfinedProcess::ConfinedProcess(const Confines& confines, const std::function<v
     throw failure(code);
 }
 
-ConfinedProcess::~ConfinedProcess() {
+ChildProcess::~ChildProcess() {
     ending();
     ::close(channel_);
 }
 
-void ConfinedProcess::send(std::span<const std::byte> bytes) {
+bool ChildProcess::send(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
+        // whoever has gone is no reason to die by SIGPIPE
         const ssize_t count = ::send(channel_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (count < 0 && errno != EINTR) return;
+        if (count < 0 && errno != EINTR) return false;
         if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
     }
+    return true;
 }
 
-bool ConfinedProcess::receive(std::span<std::byte> into) {
+bool ChildProcess::receive(std::span<std::byte> into) {
     while (!into.empty()) {
         pollfd waiting{channel_, POLLIN, 0};
         const int ready = ::poll(&waiting, 1, patience_ * 1000);
@@ -235,21 +260,38 @@ bool ConfinedProcess::receive(std::span<std::byte> into) {
     return true;
 }
 
-std::string ConfinedProcess::ending() {
+std::string ChildProcess::ending() {
     if (id_ < 0) return "";
     // one that has closed its end is about to end by itself, and how it does is worth knowing
     pollfd channel{channel_, POLLRDHUP, 0};
     if (::poll(&channel, 1, 0) <= 0) ::kill(id_, SIGKILL);
-    int status = 0;
-    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR)
-        continue;
-    id_ = -1;
+    const int status = wait();
     if (is_silent_) return "it did not answer within " + std::to_string(patience_) + " s";
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return "it computed for too long";
     if (WIFSIGNALED(status)) return "it crashed (signal " + std::to_string(WTERMSIG(status)) + ")";
     was_not_confined_ = WEXITSTATUS(status) == is_not_confined;
     if (was_not_confined_) return "this machine confines no processes";
     return "it ended too early";
+}
+
+std::string ChildProcess::finish() {
+    ::shutdown(channel_, SHUT_WR);
+    std::string reason(longest_reason, '\0');
+    reason.resize(receive_all(channel_, std::as_writable_bytes(std::span(reason))));
+    const int status = wait();
+    if (WIFSIGNALED(status))
+        return "the process that writes it was ended by signal " + std::to_string(WTERMSIG(status)) +
+               ", as by a full disk";
+    if (WEXITSTATUS(status) == 0) return "";
+    return WEXITSTATUS(status) == has_thrown ? reason : "the process that writes it ended too early";
+}
+
+int ChildProcess::wait() {
+    int status = 0;
+    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR)
+        continue;
+    id_ = -1;
+    return status;
 }
 
 }  // namespace stridor::base

@@ -1,4 +1,7 @@
-#include "stridor/base/confined_process.hpp"
+#include "stridor/base/child_process.hpp"
+
+#include "stridor/base/error.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,17 +11,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace stridor::base {
 namespace {
 
-using Channel = ConfinedProcess::Channel;
+using Channel = ChildProcess::Channel;
 
 void say(const Channel& channel, int number) {
     channel.send(std::as_bytes(std::span(&number, 1)));
@@ -27,7 +33,7 @@ void say(const Channel& channel, int number) {
 // what the work answers; nothing where it ends before
 std::vector<int> answers_of(const Confines& confines, const std::function<void(const Channel&)>& work,
                             std::string& ending) {
-    ConfinedProcess process(confines, work);
+    ChildProcess process(confines, work);
     std::vector<int> answers;
     int number = 0;
     while (process.receive(std::as_writable_bytes(std::span(&number, 1))))
@@ -41,7 +47,7 @@ TEST(ConfinedProcess, EndsWithTheProcessThatBeganIt) {
     ASSERT_EQ(::prctl(PR_SET_CHILD_SUBREAPER, 1), 0);  // an orphan comes to this process
     const pid_t parent = ::fork();
     if (parent == 0) {
-        ConfinedProcess process({}, [](const Channel& channel) {
+        ChildProcess process(Confines{}, [](const Channel& channel) {
             say(channel, 1);
             for (std::atomic<unsigned> turn{0};;)
                 ++turn;
@@ -60,7 +66,7 @@ TEST(ConfinedProcess, EndsWithTheProcessThatBeganIt) {
 }
 
 TEST(ConfinedProcess, AnswersWhatItIsAsked) {
-    ConfinedProcess process({}, [](const Channel& channel) {
+    ChildProcess process(Confines{}, [](const Channel& channel) {
         int number = 0;
         while (channel.receive(std::as_writable_bytes(std::span(&number, 1))))
             say(channel, 2 * number);
@@ -143,15 +149,82 @@ TEST(ConfinedProcess, ReachesNothingButItsFile) {
         say(channel, ::write(STDOUT_FILENO, "", 0) < 0);  // leads nowhere, but is there
         say(channel, file > 4 && ::read(file, &byte, 1) >= 0);
         // the file of its own, as often as was agreed on
-        const int first = ::open(ConfinedProcess::file_path, O_RDONLY);
+        const int first = ::open(ChildProcess::file_path, O_RDONLY);
         say(channel, first >= 0 && ::read(first, &byte, 1) == 1 && byte != 0 ? 7 : 0);
         ::close(first);
-        say(channel, ::open(ConfinedProcess::file_path, O_RDONLY) >= 0);
+        say(channel, ::open(ChildProcess::file_path, O_RDONLY) >= 0);
         say(channel, ::open("/etc/passwd", O_RDONLY) >= 0);
     };
     const std::vector<int> answers = answers_of({.openings = 1, .file = file}, work, ending);
     ::close(file);
     EXPECT_EQ(answers, (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 7, 0, 0})) << ending;
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+    return std::as_bytes(std::span(text));
+}
+
+TEST(ChildProcess, GetsWhatIsSentAndSaysThatItIsDone) {
+    const support::ScratchFolder folder;
+    const std::string file = (folder / "received").string();
+    ChildProcess process({}, [&](const Channel& channel) {
+        std::ofstream stream(file);
+        for (std::array<char, 4> word{}; channel.receive(std::as_writable_bytes(std::span(word)));)
+            stream << std::string(word.data(), word.size()) << ' ';
+    });
+    process.send(bytes_of("onetwo"));
+    process.send(bytes_of("_six"));
+    process.send(bytes_of("ty"));
+    EXPECT_EQ(process.finish(), "");
+    std::string text;
+    std::getline(std::ifstream(file), text);
+    EXPECT_EQ(text, "onet wo_s ixty ");
+}
+
+TEST(ChildProcess, SaysWhatWasThrownInIt) {
+    ChildProcess process({}, [](const Channel&) {
+        throw Error(ErrorKind::io, {"the netCDF library has failed", "the disk is full", ""});
+    });
+    EXPECT_EQ(process.finish(), "the disk is full");
+}
+
+TEST(ChildProcess, SaysBySendingThatItFailedLongAgo) {
+    ChildProcess process({}, [](const Channel&) { throw std::runtime_error("no pen"); });
+    const std::vector<std::byte> much(std::size_t{1} << 20U);
+    // more than fits between the two
+    int sent = 0;
+    while (sent < 64 && process.send(much))
+        ++sent;
+    EXPECT_LT(sent, 64);
+    EXPECT_EQ(process.finish(), "no pen");
+}
+
+TEST(ChildProcess, MayCrash) {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGKILL}) {
+        ChildProcess process({}, [signal](const Channel&) {
+            // as the system leaves it, whoever looks at it here
+            std::signal(signal, SIG_DFL);
+            std::raise(signal);
+        });
+        const std::string reason = process.finish();
+        EXPECT_NE(reason.find("ended by signal " + std::to_string(signal)), std::string::npos) << reason;
+    }
+}
+
+TEST(ChildProcess, NoticesThatTheMessageIsCutShort) {
+    ChildProcess process({}, [](const Channel& channel) {
+        std::array<std::byte, 8> word{};
+        channel.receive(word);
+    });
+    process.send(bytes_of("half"));
+    EXPECT_EQ(process.finish(), "the process that sent it died");
+}
+
+TEST(ChildProcess, EndsWithItsOwner) {
+    const ChildProcess process({}, [](const Channel& channel) {
+        std::array<std::byte, 8> word{};
+        channel.receive(word);
+    });
 }
 
 }  // namespace
