@@ -87,6 +87,21 @@ TEST(Structure, ReducesAndReadsWhatItWrote) {
     EXPECT_NEAR(again["frequencies"][0].get<double>(), document["states"]["open"][0]["reduced"].get<double>(), 1e-8);
 }
 
+TEST(Structure, NotesANormalThatPointsOutOfThePartItReduces) {
+    const ScratchFolder folder;
+    const auto notes_of = [&](const std::string& normal) {
+        const Finished reduced = run({"structure", "reduce", block, "--boundary", "FOOT", "--modes", "20",
+                                      "--normal=" + normal, "-o", "block.nc"},
+                                     folder.path());
+        EXPECT_EQ(reduced.exit_code, 0) << reduced.err;
+        EXPECT_TRUE(contains(reduced.out, "\nsliding")) << reduced.out;
+        return reduced.err;
+    };
+    EXPECT_EQ(notes_of("3").find("the normal"), std::string::npos);
+    EXPECT_TRUE(contains(notes_of("-3"), "the normal -z points out of the part at 12 of 12 nodes")) << notes_of("-3");
+    EXPECT_TRUE(contains(notes_of("1"), "are normal and tangent swapped?")) << notes_of("1");
+}
+
 TEST(Structure, SaysWhoFactorised) {
     const ScratchFolder folder;
     const auto reduced_by = [&](const std::string& solver, bool as_json) {

@@ -129,12 +129,15 @@ void reduce(const ReduceOptions& options) {
         options.method == "macneal" ? macneal(condensed, request) : craig_bampton(condensed, request);
     constexpr Eigen::Index compared = 6;
     const reduction::ReductionErrors errors =
-        reduction_errors(condensed, reduced, contact_states(reduced, options.normal), compared);
+        reduction_errors(condensed, reduced, contact_states(reduced, std::abs(options.normal)), compared);
     io::write_reduced_part(options.file, reduced, io::origin(options.part.files));
     console::print(options.json ? io::reduction_json(reduced, errors) + "\n"
                                 : console::reduction_text(reduced, errors) + options.file + "\n");
     if (const std::string doubt = errors_doubt(reduced, errors); !doubt.empty())
         console::say("stridor: note: " + doubt);
+    if (options.normal == 0) return;
+    for (const base::Problem& doubt : surface_doubts(part, request.boundary, options.normal))
+        say_doubt(doubt);
 }
 
 }  // namespace
@@ -255,8 +258,8 @@ void add_structure_reduce(CLI::App& structure) {
         ->excludes(modes);
     command
         ->add_option("--normal", options->normal,
-                     "component of the contact's normal (1 to 3), to compare sliding as well")
-        ->check(CLI::Range(1, 3));
+                     "direction in which a gap opens, into the part: 1 to 3 or -1 to -3, to compare sliding as well")
+        ->check(CLI::IsMember({1, 2, 3, -1, -2, -3}));
     command
         ->add_option("--method", options->method,
                      "craig-bampton: modes with the boundary held; macneal: free modes, a boundary without mass")
