@@ -2,7 +2,7 @@
 
     python3 fetch_clips.py FOLDER
 
-The clips are sounds out of Debian packages. They are not copied into the project: debian_clips.toml says where each one
+The clips are sounds out of Debian packages. They are not copied into the project: debian_clips.csv says where each one
 lies, and this program gets it from there. It writes FOLDER/develop and FOLDER/unseen, each with the clips of that half
 and a table of them, develop.csv and unseen.csv. It downloads one package at a time and deletes it after use. A clip
 that is there already is kept, so that a broken run may be started again. At the end it says which clips it could not
@@ -25,7 +25,6 @@ import subprocess
 import sys
 import tarfile
 import tempfile
-import tomllib
 import zipfile
 import zlib
 
@@ -220,11 +219,11 @@ def write_tables(folder, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Fetches the clips of debian_clips.toml.")
+    parser = argparse.ArgumentParser(description="Fetches the clips of debian_clips.csv.")
     parser.add_argument("folder", metavar="FOLDER")
     options = parser.parse_args()
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "debian_clips.toml"), "rb") as table:
-        rows = tomllib.load(table)["clip"]
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "debian_clips.csv"), newline="") as table:
+        rows = list(csv.DictReader(table))
     folder = os.path.abspath(options.folder)
     for half in HALVES:
         os.makedirs(os.path.join(folder, half), exist_ok=True)
