@@ -42,7 +42,7 @@ struct ChartOptions {
 void write_diagram(const sweep::SweepResult& result, const std::filesystem::path& out, const io::ChartExports& exports,
                    const ChartOptions& options) {
     const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
-    if (io::holds(exports, io::ChartFile::csv))
+    if (io::holds(exports, "csv"))
         storage::write_file((out / "diagram.csv").string(), io::diagram_csv(result.study, cells));
     if (const std::vector<std::string> endings = io::picture_endings(exports); !endings.empty())
         pictures::draw_diagram(result, cells, out, endings, options.sheet);
@@ -78,7 +78,7 @@ void chart(const ChartOptions& options) {
     const std::vector<std::string> endings = io::picture_endings(exports);
     if (!sweep::has_one_axis(study))
         pictures::draw_charts(result, out, endings, options.sheet);
-    else if (!endings.empty() || io::holds(exports, io::ChartFile::csv))
+    else if (!endings.empty() || io::holds(exports, "csv"))
         write_diagram(result, out, exports, options);
     io::write_chart_tables(result, out, exports);
     if (!sweep::holds_design(study)) console::say(console::outside_text(study));
@@ -91,6 +91,17 @@ void chart(const ChartOptions& options) {
     for (const std::string& file : io::file_names(exports, study))
         line += (line.empty() ? "" : " ") + (out / file).string();
     console::print(line + "\n");
+}
+
+// "png, svg ... (default: png,svg; no csv above a million cells)"
+std::string files_help() {
+    std::string all, usual, few;
+    for (const io::ChartFile& file : io::chart_files()) {
+        all += (all.empty() ? "" : ", ") + std::string(file.name);
+        if (file.is_usual) usual += (usual.empty() ? "" : ",") + std::string(file.name);
+        if (file.is_for_few) few += "; no " + std::string(file.name) + " above a million cells";
+    }
+    return "what is written: " + all + " (default: " + usual + few + ")";
 }
 
 }  // namespace
@@ -114,10 +125,7 @@ void add_chart(CLI::App& program) {
         ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
     add_output_folder(*command, options->out,
                       "folder for store, figures and tables (default: the file's name, with -preview for one)");
-    command
-        ->add_option("--files", options->exports.files,
-                     "what is written: png, svg, pdf, csv, boundaries, nc, zarr (default: png,svg,csv,boundaries,nc; "
-                     "no csv above a million cells)")
+    command->add_option("--files", options->exports.files, files_help())
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("NAME,...");
