@@ -7,14 +7,14 @@
 
 namespace stridor::app {
 
-/// Letters by MPI, between all ranks of the job. Of the program only this knows MPI, and it never blocks in it: Open
-/// MPI waits by keeping a processor busy.
+/// Letters by MPI, between all ranks of the job. Only this class knows MPI, and it never blocks in it: Open MPI waits
+/// by keeping a processor busy.
 class MpiPost final : public cluster::Post {
 public:
-    /// Begins MPI. Only the thread that made this may use it. One may be made in a process.
+    /// Begins MPI. Only the thread that made this object may use it. A process may make only one.
     MpiPost(int& argc, char**& argv);
 
-    /// Ends MPI, which waits for the other ranks to do so.
+    /// Ends MPI, which waits until the other ranks end it, too.
     ~MpiPost() override;
 
     int rank() const override { return rank_; }
@@ -22,7 +22,7 @@ public:
     void send(int to, std::string bytes) override;
     std::optional<cluster::Letter> poll() override;
 
-    /// How many ranks run on the machine of this one, itself included.
+    /// Returns the number of ranks on this rank's machine, itself included.
     int neighbours() const { return neighbours_; }
 
     /// Ends the whole job at once, with this exit code.

@@ -5,7 +5,7 @@
 
 namespace stridor::app {
 
-/// The ranks of this job while a command runs, for the functions of crews.hpp. One lives at a time.
+/// The ranks of this job while a command runs, for the functions of crews.hpp. Only one may live at a time.
 class Ranks {
 public:
     explicit Ranks(MpiPost& post);
@@ -13,14 +13,14 @@ public:
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
 
-    /// Ends the command in all ranks: rank 0 tells the exit code, the others wait for it. The exit code of this
-    /// process. Who has a failure (`exit_code` not 0) and is not rank 0 says so to rank 0 first.
+    /// Ends the command in all ranks and returns the exit code of this process. Rank 0 tells the exit code, the others
+    /// wait for it. Another rank with a failure (`exit_code` not 0) first tells rank 0.
     int end(int exit_code);
 
-    /// How ranks speak with one another.
+    /// Returns the post between the ranks.
     MpiPost& post() { return post_; }
 
-    /// This rank, as one that helps rank 0.
+    /// Returns this rank as a helper of rank 0.
     cluster::Hand& hand() { return hand_; }
 
 private:

@@ -9,40 +9,40 @@ namespace stridor::pictures {
 struct Sheet;
 }
 
-/// What a user types, before and after CLI11 has looked at it.
+/// The words that a user types, before and after CLI11 has parsed them.
 namespace stridor::app {
 
-/// The words of a command line in their order; "help COMMAND" is "COMMAND --help".
+/// Returns the words of a command line in their order; "help COMMAND" becomes "COMMAND --help".
 std::vector<std::string> arguments_of(int count, char** words);
 
-/// Throws `Error` (input) for a command or subcommand that there is none of, with the one that was meant.
+/// Throws `Error` (input) for an unknown command or subcommand, and suggests the nearest one.
 void check_commands(const CLI::App& program, const std::vector<std::string>& arguments);
 
-/// Tells on stderr why a command line cannot be understood, and which option was meant.
+/// Says on stderr why a command line cannot be understood, and suggests the nearest option.
 void say_usage_error(const CLI::App& program, const CLI::ParseError& error);
 
-/// Lets an option be one of these words; for another it says which one was meant.
+/// Returns a validator that allows only these words, and suggests the nearest one for any other.
 CLI::Validator one_of(const std::vector<std::string>& names);
 
-/// Adds --threads; 0, and without it, one per processor.
+/// Adds --threads; 0, the default, means one per processor.
 void add_threads_option(CLI::App& command, int& threads);
 
 /// Adds --json, whose document has this schema.
 CLI::Option* add_json_option(CLI::App& command, bool& is_json, const std::string& schema,
                              const std::string& what = "print one JSON document");
 
-/// Accepts a file to write, if its folder is there: that is told before what may take long is computed. Throws `Error`
-/// (io) where it is not.
+/// Returns a validator for a file to write: it throws `Error` (io) if its folder does not exist, before a long
+/// computation begins.
 CLI::Validator in_a_folder();
 
-/// Adds --title and --width of the sheet that a command draws on; where `figure` is the option that asks for the
-/// picture, they need it.
+/// Adds --title and --width of the sheet on which a command draws. If `figure`, the option that asks for the picture,
+/// is given, they need it.
 void add_sheet_options(CLI::App& command, pictures::Sheet& sheet, CLI::Option* figure = nullptr);
 
-/// Adds -o and --output for the file that a command writes; --out is understood, too.
+/// Adds -o and --output for the file that a command writes; --out works, too.
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence);
 
-/// Adds --out for the folder that a command fills; -o and --output are understood, too.
+/// Adds --out for the folder that a command fills; -o and --output work, too.
 CLI::Option* add_output_folder(CLI::App& command, std::string& folder, const std::string& sentence);
 
 }  // namespace stridor::app

@@ -40,13 +40,13 @@ void add_verify(CLI::App& program);
 void add_manual(CLI::App& program);
 void add_completion(CLI::App& program);
 
-/// All of them, in the order in which the help lists them.
+/// All commands, in the order in which the help lists them.
 inline constexpr std::array add_commands{
     add_init,     add_check,   add_simulate, add_stability, add_advise,  add_chart,   add_merge,   add_chart_status,
     add_report,   add_figure,  add_listen,   add_rig,       add_convert, add_library, add_analyse, add_classify,
     add_evaluate, add_compare, add_match,    add_structure, add_explore, add_verify,  add_manual,  add_completion};
 
-/// What every command that reads a case takes.
+/// The options of every command that reads a case.
 struct CaseOptions {
     std::string file;                    // "-" is stdin
     std::vector<std::string> overrides;  // "section.key=value"
@@ -58,7 +58,7 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 /// Adds `--no-early`, short for --set run.early_ending=never.
 void add_no_early_option(CLI::App& command, CaseOptions& options);
 
-/// By which motions a command judges a design; empty: by all.
+/// The motions by which a command judges a design; empty: all.
 struct RunsOptions {
     std::vector<std::string> directions;  // "going"
     std::vector<std::string> starts;      // "rest"
@@ -67,10 +67,10 @@ struct RunsOptions {
 /// Adds `--direction` and `--start`.
 void add_runs_options(CLI::App& command, RunsOptions& options);
 
-/// Loads a case or chart file with its overrides, and says on stderr which of its keys mean nothing for its case.
+/// Loads a case or chart file with its overrides, and says on stderr which of its keys have no meaning for its case.
 io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides = {});
 
-/// Reads the case the options name.
+/// Reads the case that the options name.
 parameters::Case load_case(const CaseOptions& options);
 
 }  // namespace stridor::app

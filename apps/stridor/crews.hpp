@@ -2,19 +2,19 @@
 
 #include "stridor/crew/crew.hpp"
 
-/// Who computes in this program: each program has these functions in a source of its own.
+/// The crews of this program: each program has these functions in a source of its own.
 ///
 /// The processes of a job run the same command on the same input. One of them leads; the others help it with each work
-/// of the command, in the order in which the leading one comes upon them.
+/// of the command, in the order in which the leading one reaches them.
 namespace stridor::app {
 
-/// Who computes for this process; `threads` of each process, 0: as many as it may use.
+/// Returns the maker of crews for this process; `threads` of each process, 0: as many as it may use.
 crew::CrewMaker crews(int threads);
 
-/// Does this process only help another one? Such a process reads its input and helps, and writes nothing.
+/// Says whether this process only helps another one. Such a process reads its input and helps, and writes nothing.
 bool only_helps();
 
-/// Helps with a work until that is over.
+/// Helps with a work until it is over.
 void help_with(const crew::Work& work, int threads);
 
 }  // namespace stridor::app

@@ -8,9 +8,9 @@
 
 namespace stridor::app {
 
-/// Help that fits the terminal: as wide as COLUMNS or the terminal behind stdout says, 100 columns at most, 80 where
-/// neither does. What an option stands for, its choices and its default are part of its sentence. Lines of a footer
-/// that begin with blanks (examples) stay as they are.
+/// Help that fits the terminal: as wide as COLUMNS or the terminal behind stdout, 100 columns at most, else 80. The
+/// value of an option, its choices and its default are part of its sentence. Lines of a footer that begin with blanks
+/// (examples) stay as they are.
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter();
@@ -27,7 +27,7 @@ private:
     std::size_t columns_;
 };
 
-/// Returns what help, manual page and completion tell of a command and of all below it.
+/// Returns the description of a command and of all commands below it, for help, manual page and completion.
 console::Command described(const CLI::App& app);
 
 }  // namespace stridor::app

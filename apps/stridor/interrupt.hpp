@@ -7,13 +7,13 @@
 
 namespace stridor::app {
 
-/// From now on the signals are noted, for the first `Interrupt` to come: of a program that takes long to begin.
+/// Notes the signals from now on, for the first `Interrupt`, in a program that takes long to begin.
 void note_signals();
 
-/// Turns SIGINT (Ctrl-C), SIGTERM and SIGUSR1 into a stop request; a second one leaves the program at once with
-/// exit code 4.
+/// Turns SIGINT (Ctrl-C), SIGTERM and SIGUSR1 into a stop request; a second one ends the program at once with exit code
+/// 4.
 ///
-/// One may live at a time. Its signal handlers only set a flag; a thread looks at it 20 times a second.
+/// Only one may live at a time. Its signal handlers only set a flag; a thread looks at it 20 times a second.
 class Interrupt {
 public:
     Interrupt();
@@ -29,7 +29,7 @@ private:
     std::jthread watcher_;
 };
 
-/// A wait for another process: said on stderr, and ended by a stop request.
+/// Returns how to wait for another process: the wait is said on stderr, and ended by a stop request.
 storage::WaitOptions waiting(const std::stop_token& stop = {});
 
 }  // namespace stridor::app

@@ -17,10 +17,10 @@ struct Program {
     std::span<void (*const)(CLI::App&)> commands;  // each adds its own to the program
 };
 
-/// Runs the command that the arguments ask for; the exit code. Says what went wrong, if anything does.
+/// Runs the command of the arguments and returns the exit code. Says an error on stderr.
 int run(const Program& program, int argc, char** argv);
 
-/// What a program does before anything else: open its standard streams, take a closed pipe for an error.
+/// Prepares a process: opens its standard streams, and makes a closed pipe an error.
 void begin_process();
 
 }  // namespace stridor::app

@@ -6,15 +6,15 @@
 
 #include <stop_token>
 
-/// Work that takes time: other Python threads go on meanwhile, and Ctrl-C ends it.
+/// Long work: other Python threads go on meanwhile, and Ctrl-C ends it.
 ///
-/// The calling thread works itself, for handing over to another one would cost more than a short run. On the main
-/// thread SIGINT then goes through a handler of ours, which notes it and passes it on to Python's. A thread that sleeps
-/// as long as nobody works looks for the note 50 times a second and asks the work to stop. Python's handlers are called
-/// where the work has ended. If they throw nothing, it begins anew: whoever has taken SIGINT over wants no end.
+/// The calling thread works itself, since another thread would cost more than a short run. On the main thread our own
+/// handler of SIGINT notes the signal and passes it on to Python's. A helper thread, which sleeps while nobody works,
+/// looks for the note 50 times a second and asks the work to stop. Python's handlers are called where the work has
+/// ended. If they throw nothing, the work begins anew: the owner of the SIGINT handler does not want it to end.
 namespace stridor::binding {
 
-/// Notes SIGINT while it lives, and asks for a stop then. It may be nested; it does nothing on other threads than main.
+/// Notes SIGINT while it lives, and then asks for a stop. It may be nested; it does nothing on other threads than main.
 class Watch {
 public:
     Watch();
@@ -23,7 +23,7 @@ public:
     Watch& operator=(const Watch&) = delete;
 
     std::stop_token token() const { return source_.get_token(); }
-    /// Lets the work end, whatever the reason.
+    /// Says whether the work was asked to stop, for any reason.
     bool was_stopped() const { return source_.stop_requested(); }
 
 private:
@@ -32,14 +32,15 @@ private:
     bool is_watching_ = false;
 };
 
-/// Calls Python's signal handlers; what they throw comes out, KeyboardInterrupt as `Error` (interrupted) with the words
+/// Calls Python's signal handlers. Throws their exceptions, KeyboardInterrupt as `Error` (interrupted) with the words
 /// of `stopped`. Needs the GIL.
 void call_signal_handlers(const Error& stopped);
 
-/// Calls them while work goes on, from a callback of it; SIGINT is left to where the work ends. Needs the GIL.
+/// Calls these handlers, except SIGINT's, from a callback of running work; SIGINT is handled where the work ends. Needs
+/// the GIL.
 void call_other_signal_handlers();
 
-/// Calls back into Python from work that goes on, unless `progress` is None; what that throws ends the work.
+/// Calls back into Python from running work, unless `progress` is None; an exception ends the work.
 template <typename Call>
 void call_python(const pybind11::object& progress, Call call) {
     const pybind11::gil_scoped_acquire held;
@@ -47,10 +48,10 @@ void call_python(const pybind11::object& progress, Call call) {
     if (!progress.is_none()) call();
 }
 
-/// What is said where a work ended by itself just as it was interrupted.
+/// Returns the error (interrupted) of work that ended by itself just as it was interrupted.
 Error interrupted_at_end();
 
-/// Does work(stop token), which ends in an `Error` (interrupted) when it is stopped, without the GIL.
+/// Does work(stop token) without the GIL and returns its result. Throws `Error` (interrupted) when it is stopped.
 template <typename Work>
 auto unlocked(Work work) {
     for (;;) {

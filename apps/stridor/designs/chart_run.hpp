@@ -15,37 +15,38 @@
 
 namespace stridor::app {
 
-/// Computes a study in its store, with progress on stderr, or goes on with it; all cells when it returns.
+/// Computes a study in its store, with progress on stderr, or goes on with it. Returns all cells.
 ///
-/// Throws `Error` (interrupted) after SIGINT or SIGTERM, saying how to go on, and what the store throws.
+/// Throws `Error` (interrupted) after SIGINT or SIGTERM, with the way to go on, and the store's errors.
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads);
 
-/// Runs a sweep with progress on stderr, until SIGINT or SIGTERM stops it. Its options' stop and progress are set here.
+/// Runs a sweep with progress on stderr, until SIGINT or SIGTERM stops it. It sets its options' stop and progress.
 sweep::RunReport fill(const sweep::Study& study, sweep::CellKeeper& keeper, sweep::RunOptions options,
                       const Interrupt& interrupt);
 
-/// The error (interrupted) of a sweep that was stopped: how far it came, and how to go on.
+/// Returns the error (interrupted) of a sweep that was stopped: how far it came, and how to go on.
 Error stopped(const sweep::RunReport& report, const std::filesystem::path& store_file);
 
-/// Says on stderr whose store was taken over, if anybody's.
+/// Says on stderr whose store was taken over, if it was.
 void say_takeover(const sweep::Store& store);
 
-/// The diagram of a study over one axis, kept in `file` while it is computed. Throws `Error` (interrupted) likewise.
+/// Returns the diagram of a study over one axis, kept in `file` while it is computed. Throws `Error` (interrupted)
+/// after SIGINT or SIGTERM.
 std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result, const std::filesystem::path& file,
                                                 int threads);
 
 /// Computes one share of a chart into its own store, and says what to do next. `share` is "3/16" or "auto": the task of
-/// a Slurm array. Throws `Error` (input) where the folder holds another chart, and like `compute`.
+/// a Slurm array. Throws `Error` (input) if the folder holds another chart, and the errors of `compute`.
 void compute_share(const sweep::Study& study, const std::filesystem::path& folder, const std::string& share,
                    int threads);
 
-/// Throws `Error` (input) where shares of the chart in this folder hold cells that its own store lacks: they would be
+/// Throws `Error` (input) if shares of the chart in this folder hold cells that its own store lacks: they would be
 /// computed anew.
 void expect_merged(const sweep::Study& study, const std::filesystem::path& folder);
 
-/// How a chart is computed by Slurm.
+/// The options of a chart that Slurm computes.
 struct SlurmOptions {
-    std::size_t shares = 0;  // 0: it is not
+    std::size_t shares = 0;  // 0: without Slurm
     std::string time;
 };
 

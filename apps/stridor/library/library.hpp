@@ -12,17 +12,17 @@ namespace CLI {
 class App;
 }
 
-/// What the commands over a noise library share.
+/// What the commands of a noise library share.
 namespace stridor::app {
 
-/// Which library.
+/// The library to use.
 struct LibraryOption {
     std::string file;  // empty: the user's own
 };
 
 void add_library_option(CLI::App& command, LibraryOption& option);
 
-/// Which entries.
+/// The entries to use.
 struct SelectionOptions {
     std::vector<std::string> where;
     std::string search;
@@ -34,7 +34,7 @@ void add_selection_options(CLI::App& command, SelectionOptions& options);
 
 noise_library::Query query_of(const SelectionOptions& options);
 
-/// What the user says of entries: field name -> text, and figures.
+/// A user's values for entries: field name -> text, and figures.
 struct EntryOptions {
     std::map<std::string, std::string> fields;
     std::vector<std::string> figures;
@@ -44,10 +44,10 @@ struct EntryOptions {
 /// Adds an option per field that users write, `--figure` and `--case`.
 void add_entry_options(CLI::App& command, EntryOptions& options);
 
-/// Writes what was said into an entry; throws `Error` (input) that names the option.
+/// Writes these values into an entry; throws `Error` (input) that names the option.
 void apply(const EntryOptions& options, noise_library::Entry& entry);
 
-/// The subcommands that put entries in and out.
+/// The subcommands that bring entries in and out.
 void add_library_add(CLI::App& library);
 void add_library_judge(CLI::App& library);
 void add_library_starter(CLI::App& library);

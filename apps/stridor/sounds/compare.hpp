@@ -14,9 +14,9 @@ class App;
 
 namespace stridor::app {
 
-// What the commands that lay sounds side by side share.
+// What the commands that compare sounds share.
 
-/// Which motion of the model stands for its sound.
+/// The motion of the model that is heard.
 struct MotionOptions {
     std::string of = "joint";
     std::string quantity = "velocity";
@@ -38,18 +38,18 @@ struct CompareOptions {
 /// Adds the sounds, `--label`, `--library`, and the motion's options.
 void add_compare_options(CLI::App& command, CompareOptions& options);
 
-/// Where the sounds are looked for; what is noteworthy is said on stderr.
+/// Returns where to look for the sounds; notes go to stderr.
 io::SoundLookup lookup_in(const LibraryOption& library);
 
-/// Opens, simulates, brings to one rate, analyses and judges the sounds; says on stderr what is noteworthy.
+/// Opens, simulates, brings to one rate, analyses and judges the sounds; says notes on stderr.
 ///
-/// Throws `Error` (input) for fewer than 2 or more than 8, or for what no sound can be made of.
+/// Throws `Error` (input) for fewer than 2 sounds or more than 8, and for a name that does not lead to a sound.
 std::vector<classification::ComparedSound> load_sounds(const CompareOptions& options);
 
-/// `hearing::compared`; while a case is simulated, Ctrl-C stops it.
+/// Calls `hearing::compared`; Ctrl-C stops the simulation of a case.
 classification::ComparedSound load_sound(const hearing::NamedSound& sound, const hearing::ComparisonSettings& settings);
 
-/// `stridor figure compare`.
+/// Adds `stridor figure compare`.
 void add_figure_compare(CLI::App& figure);
 
 }  // namespace stridor::app

@@ -14,7 +14,7 @@ class App;
 
 namespace stridor::app {
 
-/// What the user of a command knows better than the recording.
+/// Facts that the user of a command knows better than the recording.
 struct InputOptions {
     std::vector<std::string> full_scales;  // "2 Pa"
     std::string channel;                   // name or number from 1; empty: all
@@ -28,10 +28,10 @@ void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_sca
 /// Adds --full-scale, --channel, --dataset and --rate.
 void add_input_options(CLI::App& command, InputOptions& options);
 
-/// Throws `Error` (input) for what is no full scale or no rate.
+/// Returns the options for opening a recording. Throws `Error` (input) for an invalid full scale or rate.
 recordings::OpenOptions open_options(const InputOptions& options);
 
-/// What every command that listens to a recording takes.
+/// The options of every command that listens to a recording.
 struct SoundOptions {
     std::string file;  // "-" is stdin
     InputOptions recording;
@@ -41,8 +41,8 @@ struct SoundOptions {
 /// Adds the file, --full-scale, --channel, --dataset, --rate and --set.
 void add_sound_options(CLI::App& command, SoundOptions& options);
 
-/// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it
-/// is. With a field the channels in Pa get their sound quality, heard in it.
+/// Reads, analyses and judges the recording of the options; says notes and progress on stderr. If `field` is given, the
+/// channels in Pa get their sound quality, heard in that field.
 io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field = {});
 
 }  // namespace stridor::app

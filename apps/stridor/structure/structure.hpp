@@ -9,10 +9,10 @@ namespace CLI {
 class App;
 }
 
-/// What the commands over finite-element parts share.
+/// What the commands of finite-element parts share.
 namespace stridor::app {
 
-/// Which part, and in which units it is.
+/// The part to use, and its units.
 struct PartOptions {
     io::PartFiles files;
     std::string units = "m-kg-s";
@@ -21,7 +21,8 @@ struct PartOptions {
 
 void add_part_options(CLI::App& command, PartOptions& options);
 
-/// Reads the part in SI and refuses it if it is no structure; its notes, and a doubt of its units, go to stderr.
+/// Reads the part in SI. Throws `Error` (input) if it is not a structure; notes, and a doubt about its units, go to
+/// stderr.
 reduction::ElasticPart load_part(const PartOptions& options);
 
 void add_structure_info(CLI::App& structure);

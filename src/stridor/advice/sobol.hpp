@@ -17,20 +17,20 @@
 /// C. Lemieux, "Recent advances in randomized quasi-Monte Carlo methods" (2002).
 namespace stridor::advice {
 
-/// As many coordinates as there are direction numbers for.
+/// The number of coordinates for which there are direction numbers.
 inline constexpr std::size_t most_sobol_dimensions = 21;
 
-/// Which random shift: the same numbers give the same points.
+/// The random shift: the same numbers give the same points.
 struct SobolShift {
     std::uint64_t seed = 0;
     std::uint64_t replicate = 0;
 };
 
-/// Point number `index` of the sequence without a shift, each coordinate as 32 binary digits after the point;
+/// Returns point number `index` of the sequence without a shift, each coordinate as 32 binary digits after the point;
 /// shape [dimension].
 std::vector<std::uint32_t> sobol_digits(std::size_t dimensions, std::uint32_t index);
 
-/// The first `count` points, shifted, each coordinate in (0, 1); shape [point][dimension]. At most
+/// Returns the first `count` points, shifted, each coordinate in (0, 1); shape [point][dimension]. At most
 /// `most_sobol_dimensions` dimensions.
 std::vector<std::vector<double>> sobol_points(std::size_t dimensions, std::size_t count, const SobolShift& shift);
 

@@ -13,13 +13,13 @@
 #include <string_view>
 #include <vector>
 
-/// The chance of noise when parameters lie somewhere within their tolerances, by randomised quasi-Monte Carlo sampling
+/// The chance of noise if parameters lie anywhere within their tolerances, by randomised quasi-Monte Carlo sampling
 /// (sobol.hpp). docs/methods/advice.md, section 4.
 namespace stridor::advice {
 
 /// How a parameter is spread over its tolerance.
 enum class Spread {
-    uniform,  // every value within it is as likely
+    uniform,  // every value within it is equally likely
     normal,   // standard deviation a third of the tolerance, cut off at the tolerance
 };
 
@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 2> spread_names{"uniform", "normal
 
 /// A tolerance that a user asks for by name: one of the two amounts.
 struct AskedTolerance {
-    std::string name;                  // a key, or what `quantity_key_called` makes one of
+    std::string name;                  // a key, or a name that `quantity_key_called` knows
     std::optional<double> relative{};  // [1] of the present value: 0.1 for 10 %
     std::optional<double> absolute{};  // in the field's unit
     Spread spread = Spread::uniform;
@@ -37,29 +37,29 @@ struct AskedTolerance {
 struct Tolerance {
     std::string key;
     double value = 0.0;      // in the field's unit, at present
-    double tolerance = 0.0;  // likewise, above zero
+    double tolerance = 0.0;  // in the field's unit, above zero
     Spread spread = Spread::uniform;
 };
 
-/// The tolerances of a case. Throws `Error` (input) for names, for amounts that are none, for what would leave the
-/// range of the field, and for more than `most_sobol_dimensions`.
+/// Returns the tolerances of a case. Throws `Error` (input) for unknown names, for invalid amounts, for tolerances that
+/// leave the range of the field, and for more than `most_sobol_dimensions`.
 std::vector<Tolerance> tolerances(const parameters::Case& c, std::span<const AskedTolerance> asked);
 
-/// The tolerances of a case of which nobody named any: what parts of series production have (docs/methods/advice.md).
+/// Returns the tolerances of a case for which nobody named any: those of series production (docs/methods/advice.md).
 ///
 /// Preload and load +-20 %, friction +-10 %, damping +-30 %, stiffness +-10 %, mass +-5 %, angles +-2 deg, evenly. The
-/// drive has none: it is what the part has to bear. mu_d and mu_s are spread by half of what lies between them at most,
-/// so that none of these designs contradicts itself. None that would leave the range of its field.
+/// drive has none: the part has to bear it. mu_d and mu_s are spread by at most half of their difference, so that no
+/// such design contradicts itself. A tolerance that would leave the range of its field is left out.
 std::vector<Tolerance> default_tolerances(const parameters::Case& c);
 
-/// Returns the friction coefficients that `default_tolerances` spread by less than usual, or not at all, since mu_d may
-/// not pass mu_s.
+/// Returns the friction coefficients that `default_tolerances` spread by less than usual, or not at all, since mu_d
+/// must not exceed mu_s.
 std::vector<std::string> narrowed_frictions(const parameters::Case& c);
 
-/// The value with a cumulative probability of 0 < p < 1; the same bits on every machine.
+/// Returns the value with a cumulative probability of 0 < p < 1, with the same bits on every machine.
 double value_at(const Tolerance& tolerance, double probability);
 
-/// A share known from samples, with its 95 % confidence interval.
+/// A share estimated from samples, with its 95 % confidence interval.
 struct Estimate {
     double share = 0.0;  // [1]
     double low = 0.0;    // [1]
@@ -71,12 +71,12 @@ inline constexpr std::size_t replicates = 16;
 
 inline constexpr double confidence = 0.95;
 
-/// The share of samples with a property, from how many had it in each replicate (shape [replicate], `replicates` of
-/// them) out of `samples` per replicate.
+/// Returns the share of samples with a property, from the number that had it in each replicate (shape [replicate],
+/// `replicates` of them) out of `samples` per replicate.
 ///
-/// Interval: Student's t over the means of the replicates. Where 30 samples or fewer had the property, or lacked it,
-/// those means are too coarse for it, and the interval is that of Clopper and Pearson (1934) for independent samples,
-/// which are not spread more evenly; where all means are equal, that of Wilson (1927).
+/// Interval: Student's t over the means of the replicates. If 30 samples or fewer had the property, or lacked it, those
+/// means are too coarse, and the interval is that of Clopper and Pearson (1934) for independent samples, which are
+/// spread less evenly; if all means are equal, it is that of Wilson (1927).
 Estimate estimate(std::span<const std::size_t> hits, std::size_t samples);
 
 /// How the chance of noise is sampled. The same seed gives the same samples.
@@ -85,13 +85,13 @@ struct ChanceOptions {
     std::uint64_t seed = 1;
 };
 
-/// So many are taken where nobody asked for a chance [1].
+/// The number of samples if nobody asked for a chance [1].
 inline constexpr std::size_t default_samples = 256;
 
-/// Most samples one can ask for: more say nothing an engineer could use.
+/// The largest number of samples: more are of no use to an engineer.
 inline constexpr std::size_t most_samples = std::size_t{1} << 24U;
 
-/// What is known of a design within its tolerances.
+/// The verdicts of a design within its tolerances.
 struct Chance {
     std::vector<Tolerance> tolerances{};
     ChanceOptions options{};
@@ -102,8 +102,8 @@ struct Chance {
     std::array<Estimate, sweep::verdict_words.size()> by_verdict{};  // of the loudest phase, by `verdict_words`
 };
 
-/// Samples designs within their tolerances, independent of each other, and runs them all. The same for every number of
-/// threads.
+/// Samples designs within their tolerances, independent of each other, and runs them all. The result does not depend on
+/// the number of threads.
 Chance chance(std::span<const Tolerance> tolerances, const ChanceOptions& options, DesignRunner& runner);
 
 }  // namespace stridor::advice

@@ -13,14 +13,14 @@ namespace stridor::analysis {
 /// that come again 30 times a second make 32.
 inline constexpr std::size_t largest_lag = 32;
 
-/// Beats of one kind that follow each other faster than anyone hears, 20,000 a second, are one: a contact that comes to
-/// rest bounces ever faster, and how many of these bounces are told apart is a matter of the engine and its step.
+/// Beats of one kind that follow each other faster than the ear can hear, 20,000 a second, count as one. A contact that
+/// comes to rest bounces ever faster, and the number of bounces depends on the engine and its step.
 inline constexpr double shortest_interval = 5e-5;  // [s]
 
-/// How unlike the intervals of a beat are that lie so many beats apart.
+/// How unlike the intervals of a beat are at a distance of L beats.
 struct Mismatch {
     double mean = std::numeric_limits<double>::infinity();  // [1] m(L); infinite if unknown
-    double error = 0.0;  // [1] standard error of it, from groups of its pairs in time; large with few of them
+    double error = 0.0;  // [1] its standard error, from groups of its pairs in time; large with few of them
 };
 
 /// How contact states alternate.
@@ -51,10 +51,10 @@ struct Alternation {
     std::array<Mismatch, largest_lag> mismatch{};  // of the best kind at each lag L = index + 1
 };
 
-/// The least mismatch of the first so many lags, from 1 on.
+/// Returns the least mismatch of the first `lags` lags, from 1 on.
 Mismatch least_mismatch(const Alternation& alternation, std::size_t lags);
 
-/// From the changes of state of a contact, by kind.
+/// Returns the alternation in the changes of state of a contact, by kind.
 Alternation alternation(const record::Changes& changes);
 
 }  // namespace stridor::analysis

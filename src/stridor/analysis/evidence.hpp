@@ -15,16 +15,16 @@ namespace stridor::analysis {
 
 /// Reference velocity of velocity levels [m/s] (ISO 1683: 1e-9 m/s).
 ///
-/// No level below 0 dB is told. A surface that moves at 1 nm/s makes at most rho c v = 0.4 uPa, 34 dB below the
-/// threshold of hearing. Rounding of a motion of some m/s leaves less than 1 pm/s, -60 dB: such numbers mean nothing.
+/// No level below 0 dB is given. A surface that moves at 1 nm/s makes at most rho c v = 0.4 uPa, 34 dB below the
+/// threshold of hearing. The rounding of a motion of some m/s is below 1 pm/s, -60 dB: such numbers mean nothing.
 inline constexpr double reference_velocity = 1e-9;
 
-/// What is said to people beside a level; without more words, a design's level is its joint's. Files write the
-/// reference as "1e-9 m/s".
+/// The sentence beside a level in texts for people; a design's level is its joint's unless the text says otherwise.
+/// Files write the reference as "1e-9 m/s".
 inline constexpr std::string_view level_note =
     "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
-/// The same of a structure of the user's own.
+/// The sentence beside a level of a structure of the user's own.
 inline constexpr std::string_view contact_level_note =
     "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
@@ -36,26 +36,26 @@ struct Level {
     double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
 };
 
-/// Levels of the paper's two bodies; of several joints that of one.
+/// Levels of the paper's two bodies; with several joints, of one joint and the plate.
 struct Levels {
     Level joint;  // mass 1: (x1', y1')
     Level plate;  // mass 2: y2'
 };
 
-/// Which part of the run: all that is judged, or the end of that under a constant drive.
+/// The part of the run: all that is judged, or its end under a constant drive.
 enum class Part { judged, closing };
 
-/// Is the joint's motion along the contact its own, or the plate's, which carries it while it sticks and is no
-/// vibration?
+/// Whether the joint's motion along the contact counts. While the joint sticks, the plate carries it: that motion is
+/// not vibration.
 enum class Along { counted, carried };
 
-/// Levels of a contact's joint and of the plate, from a tally of the rubbing system: two degrees of freedom a joint, in
-/// the order of the contacts, then one of the plate. Of an own structure that of a contact's point, along and across;
-/// there is no plate then. NaN where nothing was judged.
+/// Returns the levels of a contact's joint and of the plate, from a tally of the rubbing system: two degrees of freedom
+/// a joint, in the order of the contacts, then one of the plate. For an own structure they are those of a contact's
+/// point, along and across; it has no plate. NaN if nothing was judged.
 Levels levels(const record::Tally& tally, std::size_t contact = 0, Part part = Part::judged,
               Along along = Along::counted);
 
-/// The figures of one contact in one phase of a run: all that a verdict by contact states is made from.
+/// The figures of one contact in one phase of a run, from which a verdict by contact states is made.
 struct Evidence {
     record::Phase phase = record::Phase::all;
     std::size_t contact = 0;     // number among those of the structure
@@ -66,28 +66,28 @@ struct Evidence {
     Rates judged_errors;         // standard errors of those (`share_errors`)
     Alternation alternation;     // judged part
     long releases = 0;           // [1] sticks that ended, judged part
-    long all_releases = 0;       // [1] the same, whole window
+    long all_releases = 0;       // [1] sticks that ended, whole window
     record::Ending ending;       // of the run, and what is known beyond it
     double preload = 0.0;        // [N] N at rest; 0: not known, or open there
     double largest_force = 0.0;  // [N] judged part, largest N where states and spans end
-    // by how much the shares changed from twice the time step, if the engine compared two: about their error
+    // change of the shares from twice the time step, if the engine compared two: about their error
     std::optional<Rates> step_change{};         // whole window
     std::optional<Rates> judged_step_change{};  // judged part
     std::optional<Alternation> coarser{};       // judged part, at twice the time step
     Levels levels;  // of the bodies, judged part; of a contact that slides or sticks for ever its closing part
 };
 
-/// Is it proven, or plain from all of the judged time, that the contact sticks for ever?
+/// Says whether the contact sticks for ever: proven, or it stuck for all of the judged time and is not known to slip.
 bool sticks_for_good(const Evidence& evidence);
 
-/// Likewise, that it slides for ever.
+/// Says whether the contact slides for ever: proven, or it slid for all of the judged time and no disturbance grows.
 bool slides_for_good(const Evidence& evidence);
 
-/// Has the contact left the surface within the judged part or before, without having alternated, and is apart to the
-/// end of the run?
+/// Says whether the contact left the surface within the judged part or before, did not alternate, and is in separation
+/// at the end of the run.
 bool stays_off(const Evidence& evidence);
 
-/// From what a phase left behind of contact number `contact`.
+/// Returns the evidence of contact number `contact` from one phase's tally.
 Evidence evidence(const record::Tally& tally, std::size_t contact);
 
 /// One number of a phase's evidence. The figures of a cell, and a verdict in JSON with its units, come from this table.
@@ -97,19 +97,19 @@ struct EvidenceFigure {
     std::string_view unit;      // "1", "Hz", "dB re 1e-9 m/s"
     std::string_view sentence;  // for attributes and colour bars
     double (*value)(const Evidence&);
-    /// Is the value a whole number?
+    /// Says whether the value is a whole number.
     enum class Holds : std::uint8_t { number, count } holds = Holds::number;
-    /// Where the figure is told: every one in verdicts, most in cells, too.
+    /// Where the figure is told: all in verdicts, most in cells too.
     enum class Kept : std::uint8_t { in_cells, in_verdicts } kept = Kept::in_cells;
 };
 
-/// All of them, in the order of files.
+/// Returns all figures, in the order of files.
 std::span<const EvidenceFigure> evidence_figures();
 
-/// Under which name a document gives the unit: figures side by side that have one unit share it.
+/// Returns the name under which a document gives a figure's unit; empty for a count, which needs none.
 ///
-/// The shares of an object do ("rates.slip" is in "rates"), and so do those of its bodies ("levels.joint.rms" is in
-/// "levels.rms"). Empty for a count, which needs none.
+/// Figures side by side with one unit share a name: the shares of an object do ("rates.slip" is in "rates"), and so do
+/// those of its bodies ("levels.joint.rms" is in "levels.rms").
 std::string unit_key(const EvidenceFigure& figure);
 
 }  // namespace stridor::analysis

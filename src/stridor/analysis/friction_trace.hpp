@@ -19,10 +19,10 @@ struct FrictionMeasurement {
     double preload = 0.0;                    // [N]
 };
 
-/// What counts as what in a friction trace. The defaults suit tests at some millimetres per second.
+/// The definitions that a friction trace is read with. The defaults suit tests at some millimetres per second.
 struct FrictionTraceOptions {
     double least_drop = 0.05;      // [1] smallest drop, as a share of the friction force's level (its 95th percentile)
-    double noise_factor = 8.0;     // [1] and at least so many times the standard deviation of the noise
+    double noise_factor = 8.0;     // [1] and at least this many times the standard deviation of the noise
     double longest_drop = 0.25;    // [s] a fall that takes longer is drift
     double moving_velocity = 0.1;  // [1] share of the velocity's 95th percentile from which the parts move
     double reversal = 0.6;  // [1] without velocity: share of the level that the other sign must reach to be a reversal
@@ -35,7 +35,7 @@ struct FrictionTraceOptions {
 struct MeasuredCoefficient {
     double value = std::numeric_limits<double>::quiet_NaN();        // [1]
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  // [1] standard uncertainty (k = 1)
-    long count = 0;                                                 // [1] peaks, slips or stretches it is the mean of
+    long count = 0;                                                 // [1] number of peaks, slips or stretches
 };
 
 /// A sudden fall of the friction force: the contact lets go.
@@ -51,12 +51,12 @@ struct ForceDrop {
 enum class KineticSource { none, slips, steady_sliding };
 inline constexpr std::array<std::string_view, 3> kinetic_source_names{"none", "slips", "steady sliding"};
 
-/// Figures of one direction, or of both.
+/// Figures of one direction, or of both together.
 struct FrictionFigures {
     int direction = 0;  // [1] +1, -1; 0: both
     // mean of the peaks before drops; without drops, of the first peak of each stretch
     MeasuredCoefficient static_friction;
-    // mean over the slips of what lies between 90 and 10 % of the fall; without drops, while sliding steadily
+    // mean over the slips between 90 and 10 % of the fall; without drops, while sliding steadily
     MeasuredCoefficient kinetic_friction;
     KineticSource source = KineticSource::none;
     double mean_friction = std::numeric_limits<double>::quiet_NaN();  // [1] over all moving time
@@ -69,7 +69,7 @@ struct FrictionFigures {
     double variation = std::numeric_limits<double>::quiet_NaN();      // [1] of the times between drops; 0: all alike
 };
 
-/// What a friction trace tells.
+/// The results of a friction trace.
 struct FrictionTrace {
     FrictionFigures all;
     std::vector<FrictionFigures> directions;  // +1 before -1, those that occur
@@ -79,17 +79,17 @@ struct FrictionTrace {
     std::vector<std::string> notes;           // what the user should know
 };
 
-/// Static and kinetic friction coefficients and force drops of a measured friction force;
+/// Returns static and kinetic friction coefficients and the force drops of a measured friction force;
 /// docs/methods/friction-trace.md.
 ///
-/// Stretches of one direction are found by the velocity or, without it, by the sign of the force; within them, falls
-/// from a peak to the next valley that exceed a threshold are drops. What follows a reversal is never one. Throws
+/// Stretches of one direction are found by the velocity or, without it, by the sign of the force. Within them, a fall
+/// from a peak to the next valley that exceeds a threshold is a drop. The fall after a reversal is never one. Throws
 /// `Error` (input) for numbers that are not finite, channels of unequal length, fewer than 16 samples, a preload that
 /// is not positive, and a trace in which nothing moves.
 FrictionTrace friction_trace(const FrictionMeasurement& measurement, const FrictionTraceOptions& options = {});
 
-/// The condition of VDA 230-206 (10 or 40 N, 1 or 4 mm/s) that a test belongs to within 10 %:
-/// "VDA 230-206, 10 N, 4 mm/s"; empty if to none.
+/// Returns the condition of VDA 230-206 (10 or 40 N, 1 or 4 mm/s) that a test meets within 10 %: "VDA 230-206, 10 N, 4
+/// mm/s"; empty if it meets none.
 std::string vda_condition(double preload, double velocity);
 
 }  // namespace stridor::analysis

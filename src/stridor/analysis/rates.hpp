@@ -17,28 +17,29 @@ struct Rates {
     double separation = 0.0;  // [1]
 };
 
-/// Shares of the total of times spent in each state [s]; all NaN where no time was counted.
+/// Returns the shares of the times spent in each state [s] in their total; all NaN if the total is zero.
 Rates rates(const std::array<double, model::contact_states>& time);
 
-/// Standard errors of the judged shares of a contact [1]: by how much they scatter because the judged time is a piece
-/// of the motion and not all of it.
+/// Returns the standard errors of the judged shares of a contact [1]: their scatter because the judged time is only a
+/// piece of the motion.
 ///
 /// The judged stretches are cut into groups of their parts, 6 to 16 in all. Groups at the same place of several
-/// stretches are held against each other, so that what changes with the velocity of the drive within each of them is no
-/// error; those of a single stretch against their mean. Standard error of a mean of independent groups: a motion whose
-/// memory is longer than a group has a larger one.
+/// stretches are compared, so that a change with the drive's velocity within each stretch is not an error; the groups
+/// of a single stretch are compared with their mean. The result is the standard error of a mean of independent groups:
+/// a motion with a memory longer than a group has a larger one.
 ///
 /// Zero for a proven limit cycle, and where the shares never change. NaN without a complete stretch.
 Rates share_errors(const record::ContactTally& tally);
 
-// What the contacts of one interface do as a whole. The share of one node of a finely meshed interface is no converged
-// number, so that the whole is weighed by what its contacts carry.
+// The contacts of one interface as a whole. The share of one node of a finely meshed interface does not converge, so
+// the whole is weighed by the load of its contacts.
 
 /// A contact that carries less than this share of the mean load of its interface's contacts [1] is unloaded and has no
-/// verdict: of five contacts less than 1 % of all. A share of all would leave none of some hundred equal ones.
+/// verdict: with five contacts that is less than 1 % of the whole load. A share of the whole load would leave no
+/// contact of some hundred equal ones.
 inline constexpr double least_load = 0.05;
 
-/// What one contact carries in the judged part.
+/// The load of one contact in the judged part.
 struct CarriedLoad {
     double normal_force = 0.0;    // [N] mean of N
     double share = 0.0;           // [1] of the sum over the interface
@@ -53,12 +54,12 @@ struct Interface {
     std::array<double, record::interface_state_names.size()> rates{};  // [1] share of the judged time in each state
 };
 
-/// Interface number `interface` of a phase. If none of its contacts carries a load, each has an equal share.
+/// Returns interface number `interface` of a phase. If no contact of it carries a load, each has an equal share.
 Interface interface_of(const record::Tally& tally, std::size_t interface);
 
-/// How much of the load of some of its contacts does not stick while one of them does not [1]: the mean over their free
-/// time, weighted by load. 1: all slip at once; the share of one: they slip one by one. NaN where none is ever free.
-/// `some` numbers them within the interface.
+/// Returns how much of the load of `some` contacts is free (not stuck) while one of them is free [1]: the mean over
+/// their free time, weighted by load. 1: all slip at once; the share of one: they slip one by one. NaN if none is ever
+/// free. `some` numbers them within the interface.
 double free_together(const record::InterfaceTally& tally, const Interface& whole, std::span<const std::size_t> some);
 
 }  // namespace stridor::analysis

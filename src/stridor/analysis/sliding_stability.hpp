@@ -21,12 +21,12 @@
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 
-/// What a small disturbance of steady sliding does.
+/// The behaviour of a small disturbance of steady sliding.
 enum class StabilityKind {
     stable,
     flutter,     // a growing oscillation: mode coupling
     divergence,  // a growing displacement without oscillation: a real positive eigenvalue
-    locked,      // no sliding equilibrium with N > 0 at all: the contact digs in, sprag-slip
+    locked,      // no sliding equilibrium with N > 0 exists: the contact digs in, sprag-slip
 };
 
 inline constexpr std::array<std::string_view, 4> stability_names{"stable", "flutter", "divergence", "locked"};
@@ -44,16 +44,16 @@ struct SlidingStability {
     double frequency = 0.0;           // [Hz] of the mode with it
     double normal_force = 0.0;        // [N] at the sliding equilibrium, the least; negative: the contact digs in
     std::vector<Eigenmode> modes;     // by rising frequency, then growth
-    std::vector<std::size_t> open{};  // contacts that sliding lifts off, of several
+    std::vector<std::size_t> open{};  // contacts that sliding lifts off, if there are several
 };
 
 /// Judges steady sliding by its eigenvalues [1/s] and the normal force [N] at its equilibrium.
 ///
-/// It is locked without a normal force above zero. It is unstable where a growth exceeds rounding, relative to the
-/// largest eigenvalue. No eigenvalues give `stable`.
+/// It is locked if no normal force is above zero. It is unstable if a growth exceeds rounding, relative to the largest
+/// eigenvalue. Without eigenvalues it is `stable`.
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);
 
-/// Steady sliding of a structure in one direction, with what lies near it.
+/// Steady sliding of a structure in one direction, with the motion near it.
 struct SteadySliding {
     model::ClosedContacts found;
     std::vector<double> ratios;   // [1] T/N, shape [contact]
@@ -61,16 +61,16 @@ struct SteadySliding {
 };
 SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction, double speed = 1.0);
 
-/// The speed [m/s] at which steady sliding is judged: the largest of a drive, 1 where it has none.
+/// Returns the speed [m/s] at which steady sliding is judged: the largest of a drive, or 1 if it is zero.
 double sliding_speed(const parameters::Drive& drive);
 
-/// Stability of sliding of all closed contacts in one direction. The limit of the stick plays no part. Costs some
-/// 25 (2 dofs)³ operations. Several contacts may lift off; a single one is closed or locked. The surface's `speed`
-/// [m/s] matters where friction changes with the slip velocity.
+/// Returns the stability of sliding of all closed contacts in one direction. The limit of the stick plays no part. The
+/// cost is some 25 (2 dofs)³ operations. If there are several contacts, some may lift off; a single one is closed or
+/// locked. The surface's `speed` [m/s] matters if friction changes with the slip velocity.
 SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction,
                                    double speed = 1.0);
 
-// What the modes of steady sliding are made of, and what feeds them.
+// The composition of the modes of steady sliding, and the sources of their energy.
 //
 // A mode u = Re(psi exp(lambda t)) with lambda^2 M psi + lambda C psi + K psi = b N and n.psi = 0 at closed contacts.
 // Its free modes are those of the same contacts without friction, K phi = omega^2 M phi, phi.M phi = 1, which span all
@@ -92,24 +92,24 @@ struct SlidingMode {
     Eigen::VectorXcd shape;              // [1] psi, its largest row 1; shape [dof]
     std::vector<double> energy_shares;   // [1] shape [free mode]
     std::vector<double> mac;             // [1] shape [free mode]
-    std::vector<double> contact_growth;  // [1/s] that friction adds, shape [contact]; 0 of an open one
-    double damping_growth = 0.0;         // [1/s] that damping adds, not positive
+    std::vector<double> contact_growth;  // [1/s] added by friction, shape [contact]; 0 for an open one
+    double damping_growth = 0.0;         // [1/s] added by damping, not positive
 };
 
-/// The modes that grow, by falling growth.
+/// The modes that grow, by falling growth; if none grows, the least damped one.
 struct SlidingModes {
     std::vector<double> free_frequencies;  // [Hz] of the free modes, rising
     std::vector<SlidingMode> modes;
 };
 
-/// The numbers of the free modes of a mode, those with most of its energy first.
+/// Returns the numbers of the free modes in a mode, the largest share of energy first.
 std::vector<std::size_t> by_share(const SlidingMode& mode);
 
 inline constexpr std::size_t most_sliding_modes = 4;
 
-/// The modes of steady sliding in one direction that grow fastest: all that grow, up to `most`; where none does the
-/// least damped one. None where no motion is left free. Costs as `sliding_stability`, several times. Friction that
-/// changes with the slip velocity, at this `speed` [m/s], counts as damping.
+/// Returns the modes of steady sliding in one direction that grow fastest: all growing ones up to `most`, or the least
+/// damped one if none grows, or no mode if no motion is free. Costs several times as much as `sliding_stability`.
+/// Friction that changes with the slip velocity, at this `speed` [m/s], counts as damping.
 SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction,
                            std::size_t most = most_sliding_modes, double speed = 1.0);
 

@@ -30,7 +30,7 @@ struct StabilityPath {
     std::vector<StabilityBoundary> boundaries;  // by rising value
 };
 
-/// Follows the stability along a parameter and bisects each change of kind between neighbouring points.
+/// Returns the stability along a parameter, with each change of kind between neighbouring points bisected.
 ///
 /// Two changes between the same two points are missed: use more points. `at` gives the stability for a value.
 StabilityPath stability_path(const std::function<SlidingStability(double)>& at, double from, double to, int points);
@@ -38,7 +38,7 @@ StabilityPath stability_path(const std::function<SlidingStability(double)>& at, 
 /// Most points of a scan.
 inline constexpr int most_scan_points = 100000;
 
-/// Along which quantity stability is followed.
+/// The quantity along which stability is followed.
 struct ScanRange {
     std::string key;    // "contact.kinetic_friction"
     double from = 0.0;  // in the quantity's unit
@@ -51,7 +51,7 @@ struct DirectionScan {
     parameters::Direction direction = parameters::Direction::going;
     SlidingStability here;
     StabilityPath path;                   // empty without a parameter
-    std::optional<SlidingModes> modes{};  // of the case, where they were asked for
+    std::optional<SlidingModes> modes{};  // of the case, if they were asked for
 };
 
 /// Stability of a case.
@@ -62,13 +62,14 @@ struct StabilityScan {
     std::vector<DirectionScan> directions;
 };
 
-/// Stability of steady sliding of a case in both directions, and along a quantity if one is given.
+/// Returns the stability of steady sliding of a case in both directions, and along a quantity if one is given.
 ///
-/// Static friction plays no part in it, so mu_d may be followed beyond mu_s. Throws `Error` (input) for a key that is
-/// no quantity, for ends that lie outside its range or do not rise, and for too few or too many points.
+/// Static friction plays no part in it, so mu_d may exceed mu_s. Throws `Error` (input) if the key is not a quantity,
+/// if the ends lie outside its range or do not rise, and if there are too few or too many points.
 StabilityScan scan_stability(const parameters::Case& c, const std::optional<ScanRange>& range);
 
-/// The same scan with what the modes of the case are made of (`sliding_modes`); none of a direction in which it locks.
+/// Returns the scan with the modes of the case (`sliding_modes`) added for each direction, except one in which it
+/// locks.
 StabilityScan with_modes(StabilityScan scan);
 
 }  // namespace stridor::analysis

@@ -2,10 +2,10 @@
 
 // What all CSV texts share. Private to this folder.
 //
-// Line 1 begins with # and says what the table is, all in one line: "# schema: stridor.trace/1 | version: 0.1.0 | ...".
-// Line 2 holds the names, with their units: "gap [m]". Numbers begin in line 3, whatever the table. So one plain line
-// reads any of them: pandas and R skip what begins with #, Octave's dlmread and spreadsheets a known number of lines;
-// no row of units is taken for data.
+// Line 1 begins with # and says what the table is: "# schema: stridor.trace/1 | version: 0.1.0 | ...".
+// Line 2 holds the names with their units: "gap [m]". The numbers begin in line 3 of every table. So one plain call
+// reads any of them: pandas and R skip a line that begins with #, Octave's dlmread and spreadsheets skip two lines. No
+// row of units is taken for data.
 
 #include <string>
 #include <string_view>
@@ -14,10 +14,10 @@
 
 namespace stridor::base::csv_text {
 
-/// What parts the facts of the first line.
+/// Separates the facts of the first line.
 inline constexpr std::string_view fact_mark = " | ";
 
-/// One thing that a table says of itself: "contact.preload", "20 N".
+/// One statement of a table about itself: "contact.preload", "20 N".
 using Fact = std::pair<std::string, std::string>;
 using Facts = std::vector<Fact>;
 
@@ -27,30 +27,31 @@ struct TableColumn {
     std::string unit{};  // empty or "1": words, or a number without dimension
 };
 
-/// The facts of a whole result: schema "stridor.WHAT/1", version, commit.
+/// Returns the facts that every result begins with: schema "stridor.WHAT/1", version, commit.
 Facts origin(std::string_view what);
 
-/// The first line of a table: all of them. No fact may end the line, hold the mark or a quote, or look like a formula.
+/// Returns the first line of a table with all facts. A fact must not hold a line end, the mark or a quote, nor look
+/// like a formula.
 std::string first_line(const Facts& facts);
 
-/// A text as a field, after RFC 4180; a # is quoted too, so that it is not taken for a comment, and no text is taken
-/// for a formula.
+/// Returns a text as a field after RFC 4180. A # is quoted too, so that it does not begin a comment; a text never reads
+/// as a formula.
 std::string quoted(std::string_view words);
 
-/// Rows of fields behind the first line and the names.
+/// A table as text: the first line, the names, then rows of fields.
 class Table {
 public:
-    /// Begins with the first line, of facts, and the headings.
+    /// Writes the first line from the facts, then the line of headings.
     Table(const Facts& facts, const std::vector<TableColumn>& columns);
 
     /// Adds a field of words, quoted where it must be.
     void word(std::string_view word) { field(quoted(word)); }
-    /// NaN is an empty field.
+    /// Adds a number; NaN becomes an empty field.
     void number(double value);
     /// Ends the row; the next field begins another one.
     void end_row();
 
-    /// What was written since it was taken last.
+    /// Returns the text written since the last call.
     std::string take() { return std::exchange(text_, {}); }
 
 private:

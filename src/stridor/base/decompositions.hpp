@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 
 /// Eigen's decompositions of matrices of any size, compiled once for all modules: the solver of symmetric eigenvalues
-/// alone takes eight seconds wherever it is compiled. Whoever decomposes a MatrixXd includes this in place of Eigen's
-/// headers; the results have the same bits.
+/// alone takes eight seconds to compile. A source that decomposes a MatrixXd includes this file in place of Eigen's
+/// headers. The results have the same bits.
 extern template class Eigen::LLT<Eigen::MatrixXd>;
 extern template class Eigen::LDLT<Eigen::MatrixXd>;
 extern template class Eigen::FullPivLU<Eigen::MatrixXd>;

@@ -37,26 +37,26 @@ struct Complaint {
     std::optional<Place> place{};
 };
 
-/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping. One that is about a
-/// whole file may carry several complaints.
+/// An error that a user, a file or the machine caused. It is thrown at the edges and never inside stepping. An error
+/// about a whole file may carry several complaints.
 ///
 /// `what()` reads *problem (why). suggestion? [file:line:column]*, a line per complaint.
 class Error : public std::runtime_error {
 public:
-    /// One complaint, with its place in a file if it has one.
+    /// Makes an error of one complaint, with its place in a file if it has one.
     Error(ErrorKind kind, Problem problem, std::optional<Place> place = std::nullopt);
 
-    /// Several complaints of one kind, in the order in which they are told; one at least.
+    /// Makes an error of several complaints of one kind, in the order in which they are told. At least one is needed.
     static Error of(ErrorKind kind, std::vector<Complaint> complaints) { return {std::move(complaints), kind}; }
 
-    /// Decides the exit code.
+    /// Returns the kind, which decides the exit code.
     ErrorKind kind() const { return kind_; }
-    /// All complaints, one at least.
+    /// Returns all complaints; at least one.
     const std::vector<Complaint>& complaints() const { return complaints_; }
 
-    /// Of the first complaint.
+    /// Returns the problem of the first complaint.
     const Problem& problem() const { return complaints_.front().problem; }
-    /// Likewise; nothing where it has no place in a file.
+    /// Returns the place of the first complaint, or `std::nullopt` if that has no place in a file.
     const std::optional<Place>& place() const { return complaints_.front().place; }
 
 private:
@@ -66,13 +66,13 @@ private:
     std::vector<Complaint> complaints_;
 };
 
-/// Ends in an `Error` (input).
+/// Throws an `Error` (input) of one complaint.
 [[noreturn]] void refuse(std::string what, std::string why, std::string suggestion);
 
-/// The program's exit code for an error of this kind: 2, 3, 4 or 5.
+/// Returns the program's exit code for an error of this kind: 2, 3, 4 or 5.
 int exit_code(ErrorKind kind);
 
-/// "file:line:column" as far as it is known.
+/// Returns "file:line:column" as far as the place is known.
 std::string describe(const Place& place);
 
 }  // namespace stridor::base

@@ -4,41 +4,42 @@
 #include <string>
 #include <string_view>
 
-/// Text that came from somebody else, made harmless for what shows it: a terminal, a shell, a spreadsheet, a page.
+/// Makes text from outside harmless for its reader: a terminal, a shell, a spreadsheet, a page.
 namespace stridor::base {
 
-/// Bytes of the character a text begins with; 0 where it begins with none. Well-formed UTF-8 only: no stray or missing
-/// bytes, nothing spelt longer than needed, no surrogates.
+/// Returns the length [bytes] of the first character of a text, or 0 if the text does not begin with well-formed UTF-8:
+/// no stray or missing bytes, nothing spelt longer than needed, no surrogates.
 std::size_t utf8_length(std::string_view text);
 
-/// Is all of it well-formed UTF-8?
+/// Says whether the whole text is well-formed UTF-8.
 bool is_utf8(std::string_view text);
 
-/// Does it hold a character that steers a terminal, or turns the order of what it shows around? These are the control
-/// characters C0, DEL and C1, line ends and tabs among them, the separators of lines, and the marks of direction.
+/// Says whether a text holds a character that steers a terminal or reverses the order of display. These are the control
+/// characters C0, DEL and C1 with line ends and tabs, the separators of lines, and the marks of direction.
 bool has_control(std::string_view text);
 
-/// Text as a terminal may show it: such characters stand as `\u001b`, as in JSON; bytes that are no UTF-8 as `\xff`.
-/// Line ends and tabs stay.
+/// Returns a text as a terminal may show it: a control character becomes `\u001b`, as in JSON, a byte that is not UTF-8
+/// becomes `\xff`. Line ends and tabs stay.
 std::string visible(std::string_view text);
 
-/// Text as one word of a shell: as it is where nothing in it is special, else in single quotes. Control characters and
-/// bytes that are no UTF-8 stand as escapes in `$'..'` (POSIX 2024, bash, zsh), so that pasting types nothing by
-/// itself.
+/// Returns a text as one word of a shell: unchanged if no character is special, else in single quotes. Control
+/// characters and bytes that are not UTF-8 become escapes in `$'..'` (POSIX 2024, bash, zsh), so that pasted text runs
+/// no command.
 std::string shell_word(std::string_view text);
 
-/// Text as a cell that no spreadsheet takes for a formula: an apostrophe stands before what begins with = + - @, a tab
-/// or a line end (OWASP, CSV injection), unless it is a number, or a sign alone. Text that begins with apostrophes
-/// before such a character has one more, so that `from_spreadsheet_text` gives back what was there.
+/// Returns a text as a cell that no spreadsheet takes for a formula: an apostrophe is put before a text that begins
+/// with = + - @, a tab or a line end (OWASP, CSV injection), unless the text is a number or a sign alone. A text that
+/// begins with apostrophes before such a character gets one more, so that `from_spreadsheet_text` restores it.
 std::string spreadsheet_text(std::string_view text);
 
-/// The same for each piece of a line that spreadsheets part at commas, semicolons and tabs.
+/// Returns a line of text whose pieces between commas, semicolons and tabs are each made harmless by
+/// `spreadsheet_text`.
 std::string spreadsheet_line(std::string_view line);
 
-/// The text of such a cell.
+/// Returns the text that `spreadsheet_text` made a cell of.
 std::string from_spreadsheet_text(std::string_view cell);
 
-/// Text for HTML or XML: the characters that mean something there are written so that they do not.
+/// Returns text for HTML or XML, in which the special characters are written as entities.
 std::string markup_text(std::string_view text);
 
 }  // namespace stridor::base

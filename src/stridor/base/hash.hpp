@@ -7,21 +7,21 @@
 
 namespace stridor::base {
 
-/// 64-bit FNV-1a hash of bytes (Fowler, Noll, Vo), for naming and change detection; not for security.
+/// Returns the 64-bit FNV-1a hash of bytes (Fowler, Noll, Vo), for naming and for noticing changes; not for security.
 std::uint64_t fnv1a(std::string_view bytes);
 
-/// The hash as 16 hexadecimal digits.
+/// Returns that hash as 16 hexadecimal digits.
 std::string hash_text(std::string_view bytes);
 
 /// The SHA-256 digest (FIPS 180-4, 2015) of bytes that arrive in pieces.
 ///
-/// Names content: nobody knows two different files with one digest, which cannot be said of `fnv1a`.
+/// It names content: no two different files with one digest are known, which cannot be said of `fnv1a`.
 class Sha256 {
 public:
     /// Adds the next piece.
     void add(std::string_view bytes);
 
-    /// The digest as 64 lower-case hexadecimal digits; nothing may be added afterwards.
+    /// Returns the digest as 64 lower-case hexadecimal digits. Nothing may be added afterwards.
     std::string text();
 
 private:
@@ -33,7 +33,7 @@ private:
     std::uint64_t length_ = 0;  // [bytes] added so far
 };
 
-/// The digest of bytes at hand.
+/// Returns the SHA-256 digest of bytes as 64 lower-case hexadecimal digits.
 std::string sha256_text(std::string_view bytes);
 
 }  // namespace stridor::base

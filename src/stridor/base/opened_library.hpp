@@ -5,11 +5,12 @@
 
 namespace stridor::base {
 
-/// Where a function of an opened library is: becomes a pointer of the type that it is put into.
+/// The address of a function in an opened library. It converts to a pointer of whatever function type it is assigned
+/// to.
 struct FoundFunction {
     void* address = nullptr;  // null: not there
 
-    /// The pointer, null where the library lacks the function. Its type is not checked.
+    /// Returns the pointer, null if the library lacks the function. The type is not checked.
     template <typename Function>
     operator Function*() const {
         static_assert(std::is_function_v<Function>);
@@ -28,14 +29,14 @@ struct FoundFunction {
 ///     };
 class OpenedLibrary {
 public:
-    /// `file` is the name by which the system's loader finds it. All that it refers to is bound at once: it may be used
-    /// where nothing may be opened any more.
+    /// Opens the library. `file` is the name by which the system's loader finds it. All symbols are bound at once, so
+    /// that the library works where no further file may be opened.
     explicit OpenedLibrary(const std::string& file);
 
-    /// A function of it, or of the libraries it needs.
+    /// Returns a function of the library, or of the libraries that it needs.
     FoundFunction function(const char* name);
 
-    /// Is it on this machine, with all functions that were asked for?
+    /// Says whether this machine has the library with all functions that were asked for.
     bool is_whole() const { return is_whole_; }
 
 private:

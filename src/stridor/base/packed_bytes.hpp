@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-/// Numbers and words one after the other in bytes: what is taken out is what was put in, bit for bit.
+/// Numbers and words one after the other in bytes. They are read back bit for bit.
 ///
 /// The bytes are those of this machine, for processes on machines of one kind and files that stay on one.
 namespace stridor::base {
@@ -32,10 +32,10 @@ private:
     std::string bytes_;
 };
 
-/// Takes them out again, in their order.
+/// Takes numbers and words out again, in their order.
 class Unpacking {
 public:
-    /// The bytes must outlive this.
+    /// Begins at the first byte. The bytes must outlive this object.
     explicit Unpacking(std::string_view bytes) : rest_(bytes) {}
 
     /// Takes a number.
@@ -44,16 +44,16 @@ public:
     std::uint64_t count();
     /// Takes words.
     std::string words();
-    /// Takes one of so many kinds; the first where it is none of them.
+    /// Takes one of `kinds` kinds; the first if the byte is none of them.
     template <typename Enumeration>
     requires std::is_enum_v<Enumeration> Enumeration kind(std::size_t kinds) {
         return static_cast<Enumeration>(kind_below(kinds));
     }
 
-    /// Was everything there that was asked for, and nothing else?
+    /// Says whether all that was asked for was there, and no more.
     bool is_complete() const { return is_good_ && rest_.empty(); }
 
-    /// Was everything there that was asked for so far?
+    /// Says whether all that was asked for so far was there.
     bool is_good() const { return is_good_; }
 
 private:
@@ -64,7 +64,7 @@ private:
     bool is_good_ = true;
 };
 
-/// Base64 (RFC 4648, section 4).
+/// Returns bytes in Base64 (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
 }  // namespace stridor::base

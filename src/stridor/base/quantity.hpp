@@ -18,22 +18,22 @@ struct Dimension {
     bool operator==(const Dimension&) const = default;
 };
 
-/// A unit: its dimension and what one of it is in SI (angles: degrees; temperatures: degrees Celsius).
+/// A unit: its dimension, and the size of one such unit in SI (angles: degrees; temperatures: degrees Celsius).
 struct Unit {
     Dimension dimension;
     double factor = 1.0;
 };
 
-/// "a force (N)", "a length (m)", "a plain number", or the exponents where the field has no word for it.
+/// Returns "a force (N)", "a length (m)", "a plain number", or the exponents if the field has no word for them.
 std::string describe(Dimension dimension);
 
 /// Reads a unit such as "N", "kN/mm", "N*s/m", "N s/m", "Ns/m", "m/s^2", "rpm", "deg", "%" or "1".
 ///
-/// Throws `Error` (input) naming the symbol it does not know, with the same unit in other letters ("n": N) or one that
-/// is a letter away, if there is any.
+/// Throws `Error` (input) that names the unknown symbol, and suggests the same unit in other letters ("n": N) or a unit
+/// one letter away, if there is any.
 Unit parse_unit(std::string_view text);
 
-/// The same without an error: nothing for what is no unit.
+/// Reads a unit; returns `std::nullopt` if the text is not a unit.
 std::optional<Unit> find_unit(std::string_view text);
 
 /// Reads a number, with or without a unit, into the SI value of a quantity that is measured in `unit`.

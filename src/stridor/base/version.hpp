@@ -4,10 +4,10 @@
 
 namespace stridor::base {
 
-/// Program version, "major.minor.patch".
+/// Returns the program's version, "major.minor.patch".
 std::string_view version();
 
-/// Commit the program was built from, or "unknown" when it was not built from a checkout.
+/// Returns the commit from which the program was built, or "unknown" if it was not built from a checkout.
 std::string_view commit();
 
 }  // namespace stridor::base

@@ -14,7 +14,7 @@
 
 namespace stridor::classification {
 
-/// What a simulation knows of its contact and a recording does not.
+/// The contact of a simulation, which a recording does not show.
 struct KnownContact {
     std::vector<Verdict> verdicts{};                  // one per phase, going before coming
     std::vector<record::ContactHistory> histories{};  // shape [contact], within the detail, in the time of the sound
@@ -26,12 +26,12 @@ struct SoundDetail {
     signal::Signal signal{};  // [unit] empty for an empty sound
 };
 
-/// A sound that stands beside others: from a vehicle, a rig or a simulation.
+/// A sound to be compared with others: from a vehicle, a rig or a simulation.
 struct ComparedSound {
     std::string name{};    // as the user called it
     std::string label{};   // short, for the head of a column
     std::string origin{};  // "recording", "simulation", "library entry 3, rig"
-    std::string what{};    // of a simulation, what moves: "joint velocity along x"; else the channel
+    std::string what{};    // of a simulation, the part that moves: "joint velocity along x"; else the channel
     double rate = 0.0;     // [Hz] of the sound as it came; `analysis` may be of a lower one
     double length = 0.0;   // [s] of the sound as it came
     sound::SoundAnalysis analysis{};
@@ -41,7 +41,7 @@ struct ComparedSound {
     KnownContact contact{};  // empty for a recording
 };
 
-/// The verdict by contact states of the phase that vibrates most; null where none is known.
+/// Returns the verdict by contact states of the phase that vibrates most, or null if there is no verdict.
 const Verdict* loudest_phase(const KnownContact& contact);
 
 /// How a figure is written for people.
@@ -50,17 +50,17 @@ enum class FigureStyle { fixed, percent, milliseconds };
 /// One number of a compared sound: a row of the table and of the document, and a line of the figure.
 struct ComparedFigure {
     std::string_view name;   // "impulse_interval"
-    std::string_view unit;   // of `value`; empty: the sound's own, as a level
+    std::string_view unit;   // of `value`; empty: the sound's own, as for a level
     std::string_view words;  // "impulse interval"
     FigureStyle style = FigureStyle::fixed;
     int digits = 2;                         // [1] after the point
-    double (*value)(const ComparedSound&);  // [unit] NaN: not known, or the sound has no such thing
+    double (*value)(const ComparedSound&);  // [unit] NaN: not known, or the sound has no such feature
 };
 
-/// All figures of a comparison, in the order of the table.
+/// Returns all figures of a comparison, in the order of the table.
 std::span<const ComparedFigure> compared_figures();
 
-/// "425 Hz", "18.0 %", "4.21 ms"; "-" where it is not known.
+/// Returns a figure as text: "425 Hz", "18.0 %", "4.21 ms"; "-" if it is not known.
 std::string figure_text(const ComparedFigure& figure, const ComparedSound& sound);
 
 }  // namespace stridor::classification

@@ -10,10 +10,11 @@
 
 namespace stridor::classification {
 
-/// May stick that predominates be a creak? Not where only single nodes of an interface slip.
+/// Whether predominant stick can be a creak. It cannot if only single nodes of an interface slip.
 enum class Creak { possible, impossible };
 
-/// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
+/// Returns the category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this
+/// order:
 ///
 ///     proven to stick for ever, or to slide      none    whatever came before does not come again; what sticks and is
 ///                                                        pressed harder and harder locks (interface_rules.hpp)
@@ -34,20 +35,21 @@ enum class Creak { possible, impossible };
 ///     otherwise                                  squeak
 ///
 /// A share, regularity or repetition that lies nearer to its threshold than least_distance of its errors makes the
-/// verdict undecided. Its error is how far it scatters within the judged time or, if that is more, by how much it
-/// changed from twice the time step. That of a proven limit cycle is zero.
+/// verdict undecided. Its error is its scatter within the judged time or, if that is more, its change from twice the
+/// time step. The error of a proven limit cycle is zero.
 ///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds,
                  Creak creak = Creak::possible);
 
-/// The verdict of one phase: that of its loudest interface (`loudness`), of equals the first, where a contact that
-/// shares its interface with no other is one by itself. A phase is quiet only if all of its loaded contacts are.
+/// Returns the verdict of one phase: that of its loudest interface (`loudness`), the first of equals. A contact that
+/// shares its interface with no other is an interface by itself. A phase is quiet only if all of its loaded contacts
+/// are.
 Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds,
                        const ContactNames& names = {});
 
-/// The verdict of each phase of a run, in their order.
+/// Returns the verdict of each phase of a run, in their order.
 std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds,
                                      const ContactNames& names = {});
 

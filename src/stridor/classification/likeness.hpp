@@ -10,7 +10,7 @@
 
 namespace stridor::classification {
 
-/// What a whole recording sounds like: one number per figure.
+/// The sound of a whole recording: one number per figure.
 ///
 /// Each figure of `features` is the median over the recording's stretches, weighted by their energy; stretches more
 /// than `quiet_depth` below the loudest are background and do not count. `features.mean_square` is the mean over them,
@@ -18,22 +18,22 @@ namespace stridor::classification {
 struct SoundProfile {
     sound::SoundFeatures features{};
     double impulse_interval = 0.0;    // [s] of the creak's impulses, else of the envelope; 0: nothing repeats
-    double impulse_regularity = 0.0;  // [1] likewise: of neighbouring intervals, else the envelope's periodicity
+    double impulse_regularity = 0.0;  // [1] of neighbouring intervals, else the envelope's periodicity
 };
 
-/// Does the recording hold any sound?
+/// Says whether the recording is silent.
 inline bool is_silent(const SoundProfile& profile) {
     return !(profile.features.mean_square > 0.0);
 }
 
-/// The profile of a recording from its stretches and the verdict on them; a silent one for none.
+/// Returns the profile of a recording from its stretches and the verdict on them; a silent one without stretches.
 SoundProfile profile_of(std::span<const sound::SoundStretch> stretches, const RecordingVerdict& verdict,
                         const parameters::SoundThresholds& thresholds);
 
 /// How a figure of two sounds is compared.
 enum class FigureScale { linear, octaves };
 
-/// One figure that sounds are compared by.
+/// One figure by which sounds are compared.
 struct LikenessFigure {
     std::string_view name;                         // as in the table of figures, "tonality"
     std::string_view unit;                         // of `value`
@@ -45,13 +45,13 @@ struct LikenessFigure {
     double (*sureness)(const SoundProfile&) = {};  // [1] from 0 to 1, how much the figure means; null: always 1
 };
 
-/// All of them but the level, in a fixed order. docs/methods/likeness.md explains steps and weights.
+/// Returns all figures but the level, in a fixed order. docs/methods/likeness.md explains steps and weights.
 std::span<const LikenessFigure> likeness_figures();
 
-/// Differences beyond so many steps count as so many: one figure alone never decides.
+/// A difference beyond this many steps counts as this many: one figure alone never decides.
 inline constexpr double most_steps = 4.0;
 
-/// Does a difference of level count? Only where both sounds are of one unit and calibrated.
+/// Whether a difference of level counts. It does only if both sounds have one unit and are calibrated.
 enum class LevelUse { ignored, counted };
 
 /// One figure of two sounds.
@@ -64,19 +64,19 @@ struct FigureDifference {
     double share = 0.0;   // [1] of the squared distance; 0 for all where the distance is 0
 };
 
-/// How far two sounds are from each other.
+/// The distance of two sounds from each other.
 struct Likeness {
     double distance = 0.0;                        // [1] 0: alike in every figure; at most `most_steps`
     std::vector<FigureDifference> differences{};  // greatest share first; empty if either sound is silent
 };
 
-/// The distance of two sounds,
+/// Returns the distance of two sounds,
 ///
 ///     d² = Σ wᵢ sᵢ min(|xᵢ - yᵢ| / hᵢ, 4)² / Σ wᵢ
 ///
 /// over the figures x, y with step h and weight w, sᵢ² being the product of both figures' sureness. It is symmetric, 0
-/// for a sound and itself, and does not depend on gain while the level is ignored. Two silences are alike; silence is 4
-/// from every sound. The weights are Stridor's own, no measured annoyance.
+/// between a sound and itself, and does not depend on gain while the level is ignored. Two silences are alike; silence
+/// is 4 from every sound. The weights are Stridor's own, not a measured annoyance.
 Likeness likeness(const SoundProfile& first, const SoundProfile& second, LevelUse level = LevelUse::ignored);
 
 }  // namespace stridor::classification

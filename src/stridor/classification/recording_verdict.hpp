@@ -13,11 +13,11 @@
 
 namespace stridor::classification {
 
-/// The category of a sound with the figures it was made from, how far each lies from its threshold, and why.
+/// The category of a sound with its figures, the distance of each from its threshold, and the reasons.
 struct SoundVerdict {
     Category category = Category::undecided;
     sound::SoundFeatures features{};
-    std::vector<Margin> margins{};       // in the order the rules look at them; those never reached are listed too
+    std::vector<Margin> margins{};       // in the order of the rules; those never reached are listed too
     std::vector<std::string> reasons{};  // sentences, in the order of the rules
 };
 
@@ -33,7 +33,7 @@ struct SoundSegment {
     SoundVerdict verdict{};
 };
 
-/// A passage of a recording by the ear.
+/// The ear's verdict on a passage of a recording.
 struct HeardPassage {
     double from = 0.0;    // [s]
     double to = 0.0;      // [s]
@@ -42,32 +42,32 @@ struct HeardPassage {
     EarVerdict ear{};
 };
 
-/// A recording: its segments, and its category. By the rules that is the one with most of the energy; by the ear, the
-/// strongest noise.
+/// The verdict on a recording: its segments and its category. By the rules that is the category with most of the
+/// energy, by the ear the strongest noise.
 struct RecordingVerdict {
     Category category = Category::undecided;
-    double probability = 0.0;                            // [1] of the category, by the ear; 0: the rules know none
-    std::vector<HeardPassage> passages{};                // by the ear, in time; none by the rules
+    double probability = 0.0;                            // [1] of the category, by the ear; 0: by the rules
+    std::vector<HeardPassage> passages{};                // by the ear, in time; empty by the rules
     std::array<double, category_names.size()> shares{};  // [1] of the energy, by category
     std::vector<SoundSegment> segments{};                // one after the other, in time
     std::vector<std::string> reasons{};
-    /// The loudest segment of the recording's category; null where there is none.
+    /// Returns the loudest segment of the recording's category, or null if there is none.
     const SoundSegment* loudest() const;
 };
 
-/// The segments and the category of a recording by the ear, from its stretches and passages in time.
+/// Returns the segments and the category of a recording by the ear, from its stretches and passages in time.
 ///
 /// Each passage is heard by itself. Passages `quiet_depth` below the loudest are background, hence `none`. The
-/// recording is the noise with most of the A-weighted energy, if that is `least_share` of all; what is less is over
-/// rubbing, or beside another noise. Its probability is the mean over the passages it was heard in, weighted by their
-/// energy; below `certainty` the recording is `undecided`. A segment is what of such a passage lies within
-/// `segment_depth` of its loudest stretch.
+/// recording is the noise with most of the A-weighted energy if that is at least `least_share` of all energy; a smaller
+/// share is over rubbing, or beside another noise. Its probability is the mean over the passages in which it was heard,
+/// weighted by their energy; below `certainty` the recording is `undecided`. A segment is the part of such a passage
+/// that lies within `segment_depth` of its loudest stretch.
 RecordingVerdict classify_passages(std::span<const sound::SoundStretch> stretches,
                                    std::span<const sound::Passage> passages,
                                    const parameters::SoundThresholds& thresholds);
 
-/// The verdict on one channel: by the ear where it has passages, as those of microphones have, and by the rules of
-/// `classify_recording` where it is a motion. What is sampled below `least_band` is a squeal or undecided.
+/// Returns the verdict on one channel: by the ear if it has passages, as a microphone's channel has, and by the rules
+/// of `classify_recording` if it is a motion. A channel sampled below `least_band` is a squeal or undecided.
 RecordingVerdict verdict_on(const sound::SoundAnalysis& channel, const parameters::SoundThresholds& thresholds);
 
 }  // namespace stridor::classification

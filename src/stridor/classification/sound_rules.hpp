@@ -8,7 +8,7 @@
 
 namespace stridor::classification {
 
-/// The category of a stretch of sound, by these rules in this order:
+/// Returns the category of a stretch of sound, by these rules in this order:
 ///
 ///     clearness < least_clearness                          none    nothing stands out of the background
 ///     trend <= -decay, along a straight line               none    a free vibration dies away
@@ -27,12 +27,12 @@ SoundVerdict classify_sound(const sound::SoundFeatures& features, const paramete
 /// Sets the median of the intervals between impulses and their regularity. `impulses` [s] in time.
 void describe_impulses(SoundSegment& segment, std::span<const double> impulses);
 
-/// The segments and the category of a recording from its stretches in time.
+/// Returns the segments and the category of a recording from its stretches in time.
 ///
 /// Stretches `quiet_depth` below the loudest are background, hence `none`. Neighbours of one category are one segment.
-/// Creaks with nothing but rest between them, impulses at most `creak_pause` apart, are counted together; one with
+/// Creaks are counted together if only rest lies between them, with impulses at most `creak_pause` apart. A creak with
 /// fewer than `least_impulses` impulses, and a noise shorter than `least_duration`, is `undecided`. The recording has
-/// the category with most energy, if that is at least `majority` of all; else it is `undecided`.
+/// the category with most energy if that is at least `majority` of all; else it is `undecided`.
 RecordingVerdict classify_recording(std::span<const sound::SoundStretch> stretches,
                                     const parameters::SoundThresholds& thresholds);
 

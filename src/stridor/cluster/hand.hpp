@@ -10,42 +10,42 @@
 
 namespace stridor::cluster {
 
-/// Who computes in a rank other than the first.
+/// The threads that compute in a rank other than the first.
 struct HandOptions {
     std::size_t threads = 1;  // [1]
     crew::CrewMaker crew;
 };
 
-/// A rank other than the first: it computes what rank 0 gives it, and hands over the results.
+/// A rank other than the first: it computes the tasks of rank 0, and hands over the results.
 ///
-/// A command has one work after the other, and all ranks come upon them in the same order. Rank 0 may leave one out, of
-/// which everything is kept: so it says which one it begins, and the others go on to that.
+/// A command has one work after the other, and all ranks reach them in the same order. Rank 0 may skip a work whose
+/// results are all kept. So it tells which one it begins, and the others go on to that one.
 class Hand {
 public:
-    /// The post must outlive this.
+    /// Begins. The post must outlive this object.
     explicit Hand(Post& post, Timing timing = {});
     ~Hand();
     Hand(const Hand&) = delete;
     Hand& operator=(const Hand&) = delete;
 
-    /// Comes upon a work, and waits for rank 0 to begin it.
+    /// Reaches a work, and waits for rank 0 to begin it.
     void take_up(const crew::Work& work, HandOptions options);
 
-    /// Reads what has arrived, waits a moment for results, hands over what is finished. False once the work is over:
-    /// rank 0 has begun another one, or has ended.
+    /// Reads what has arrived, waits a moment for results, hands over finished ones. Returns false once the work is
+    /// over: rank 0 has begun another one, or has ended.
     bool step();
 
-    /// All steps of a work.
+    /// Does all steps of a work.
     void serve(const crew::Work& work, HandOptions options);
 
-    /// Waits for the end of rank 0, having come to the end of the command; the exit code of the whole job. A work that
-    /// rank 0 has begun by then is one that this rank does not have, which is a failure.
+    /// Waits at the end of the command for the end of rank 0, and returns the exit code of the whole job. If rank 0
+    /// begins another work by then, this rank lacks it, which is a failure.
     int wait_for_the_end();
 
-    /// Says that this rank fails.
+    /// Tells rank 0 that this rank fails.
     void fail(const Failure& failure);
 
-    /// Of the whole job, once rank 0 has ended.
+    /// Returns the exit code of the whole job, or `std::nullopt` before rank 0 has ended.
     std::optional<int> exit_code() const { return exit_code_; }
 
 private:

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
-/// What ranks tell one another. The bytes are those of this machine: all ranks run one program on machines of one kind,
-/// which the first message sees to.
+/// Messages between ranks. The bytes are those of this machine: all ranks run one program on machines of one kind,
+/// which the first message checks.
 namespace stridor::cluster {
 
-/// Rank 0 begins a work: the others leave what they had.
+/// Rank 0 begins a work: the others leave their present one.
 struct Begin {
     std::string build;  // program and commit
     std::string work;   // a fingerprint of what decides the results
@@ -38,13 +38,13 @@ struct Delivery {
     double seconds_per_task = 0.0;  // [s] on average in that rank; 0: not known yet
 };
 
-/// A rank has nothing to hand over, and lives.
+/// A rank has no results to hand over, and is alive.
 struct Alive {};
 
 /// Rank 0 asks a rank to give up the work and to hand over what is finished.
 struct Stop {};
 
-/// A rank has given up the work, and all that it finished was handed over before.
+/// A rank has given up the work after handing over all that it finished.
 struct Stopped {};
 
 /// Something failed in a rank, which computes nothing any more.
@@ -58,26 +58,26 @@ struct End {
     int exit_code = 0;  // of the whole job
 };
 
-/// A rank has heard of the end, and says nothing any more.
+/// A rank has heard of the end, and sends nothing any more.
 struct Bye {};
 
-/// Any of them.
+/// Any of these messages.
 using Message = std::variant<Begin, Hello, Batch, Delivery, Alive, Stop, Stopped, Failure, End, Bye>;
 
-/// As bytes.
+/// Returns a message as bytes.
 std::string pack(const Message& message);
 
-/// Out of bytes. Throws `Error` (io) where they are none of ours, or end too soon.
+/// Returns the message in these bytes. Throws `Error` (io) if they are not a message of ours, or end too soon.
 Message unpack(std::string_view bytes);
 
-/// What rank 0 says of a work that it begins.
+/// Returns the message with which rank 0 begins a work.
 Begin begin_of(const crew::Work& work);
 
-/// The machine that this process runs on.
+/// Returns the name of the machine that this process runs on.
 std::string host_name();
 
-/// What a rank has to complain of whose program is another than that of rank 0, or which does not have the work that
-/// rank 0 has begun: their results would not belong together.
+/// Returns the complaint of a rank whose program differs from that of rank 0, or which lacks the work that rank 0 has
+/// begun: their results would not belong together.
 Failure mismatch(const Begin& begun, int rank);
 
 }  // namespace stridor::cluster

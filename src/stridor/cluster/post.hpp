@@ -16,8 +16,8 @@ struct Letter {
 
 /// Carries messages between the ranks of a job: processes that are numbered from 0 on.
 ///
-/// Letters from one rank to another arrive in the order in which they were sent; those of different ranks in any. Only
-/// one thread of a rank, always the same, may use its post. Neither call waits.
+/// Letters from one rank to another arrive in the order in which they were sent; those of different ranks in any order.
+/// Only one thread of a rank, always the same, may use its post. Neither call waits.
 class Post {
 public:
     Post() = default;
@@ -25,15 +25,15 @@ public:
     Post(const Post&) = delete;
     Post& operator=(const Post&) = delete;
 
-    /// This rank, from 0 to `ranks() - 1`.
+    /// Returns the number of this rank, from 0 to `ranks() - 1`.
     virtual int rank() const = 0;
-    /// Number of ranks.
+    /// Returns the number of ranks.
     virtual int ranks() const = 0;
 
     /// Sends to another rank, and returns before it has arrived.
     virtual void send(int to, std::string bytes) = 0;
 
-    /// The next letter that has arrived, if any.
+    /// Returns the next letter that has arrived, or `std::nullopt` if there is none.
     virtual std::optional<Letter> poll() = 0;
 };
 
@@ -45,11 +45,11 @@ struct Timing {
     std::function<void(Clock::duration)> pause = [](Clock::duration time) { std::this_thread::sleep_for(time); };
 };
 
-/// Between two looks for letters: MPI itself would wait by keeping a processor busy, and a rank that looks a thousand
-/// times a second needs less than a hundredth of one.
+/// The pause between two looks for letters. MPI itself would keep a processor busy while it waits; a rank that looks a
+/// thousand times a second needs less than a hundredth of one.
 inline constexpr std::chrono::microseconds busy_pause{1000};
 
-/// Likewise of a rank that has had nothing to do for some time.
+/// The pause between two looks of a rank that has had nothing to do for some time.
 inline constexpr std::chrono::microseconds idle_pause{5000};
 
 }  // namespace stridor::cluster

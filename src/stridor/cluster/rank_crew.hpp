@@ -14,7 +14,7 @@
 
 namespace stridor::cluster {
 
-/// A rank has not been heard of for so long that it must be taken for dead: it will not come to the job's end.
+/// A rank has been silent for so long that it is taken for dead: it will not reach the job's end.
 class SilentRank final : public Error {
 public:
     using Error::Error;
@@ -23,16 +23,16 @@ public:
 /// How rank 0 leads the others.
 struct RankCrewOptions {
     std::size_t threads = 1;  // [1] that compute in rank 0
-    crew::CrewMaker crew;     // who computes in rank 0
+    crew::CrewMaker crew;     // the crew of rank 0
     std::chrono::seconds longest_silence{60};
     Timing timing{};
 };
 
 /// The threads of all ranks, as rank 0 sees them; the others are each a `Hand`.
 ///
-/// Tasks are dealt out in their order, to each rank in batches that take it a tenth of a second, two of them ahead, and
-/// smaller ones towards the end. Nothing here waits for a message. A rank that dies ends the job (MPI sees to that, or
-/// its silence does); what was kept by then stays, and the same command goes on with any number of ranks.
+/// Tasks are dealt out in their order, to each rank in batches of a tenth of a second of work, two batches ahead, and
+/// smaller ones towards the end. No call here waits for a message. A rank that dies ends the job (by MPI, or by its
+/// silence); the results kept by then stay, and the same command goes on with any number of ranks.
 class RankCrew final : public crew::Crew {
 public:
     /// Begins the work in all ranks. The post must be that of rank 0 and outlive this.
@@ -83,7 +83,7 @@ private:
     Clock::time_point stop_asked_;
 };
 
-/// Makes the crew of rank 0: `threads` of its own, and the other ranks.
+/// Makes the crew of rank 0: `threads` threads of its own, and the other ranks.
 crew::CrewMaker rank_crews(Post& post, int threads);
 
 }  // namespace stridor::cluster

@@ -15,16 +15,16 @@
 
 namespace stridor::console {
 
-/// One line that says how far a sweep is: bar, cells, rate, time left, running counts. At most `columns` wide.
+/// Returns one line about the progress of a sweep: bar, cells, rate, time left, running counts. At most `columns` wide.
 std::string progress_line(const sweep::Progress& progress, int columns);
 
-/// Running counts: "none 812  squeal 340  squeak 51  creak 12  failed 3"; only those that occur.
+/// Returns running counts: "none 812  squeal 340  squeak 51  creak 12  failed 3"; only those that occur.
 std::string counts_text(const sweep::Counts& counts);
 
 /// Shows a sweep's progress on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else.
 class ProgressDisplay {
 public:
-    /// Shows how far the sweep is. Says nothing where nothing new is to be said.
+    /// Shows the progress of the sweep. Prints nothing if nothing has changed.
     void show(const sweep::Progress& progress);
 
     /// Leaves the last state on the screen and moves to a fresh line.
@@ -37,21 +37,21 @@ private:
     bool has_line_ = false;
 };
 
-/// Is a row of so many recordings, or of so many bytes, worth a progress line?
+/// Says whether a row of so many recordings, or of so many bytes, deserves a progress line.
 constexpr bool takes_long(std::size_t recordings, std::uintmax_t bytes) {
     constexpr std::size_t many = 20;
     constexpr std::uintmax_t some_minutes_of_sound = 60'000'000;
     return recordings >= many || bytes >= some_minutes_of_sound;
 }
 
-/// Does a display say how long it will still take?
+/// Whether a display shows the time left.
 enum class TimeLeft { hidden, shown };
 
-/// Shows on stderr how far a long piece of work is: a line that is redrawn in a terminal,
-/// a line per 10 % anywhere else.
+/// Shows on stderr the progress of a long piece of work: a line that is redrawn in a terminal, a line per 10 % anywhere
+/// else.
 class ShareDisplay {
 public:
-    /// `what` begins the line: "analysed".
+    /// Begins the line with `what`: "analysed".
     explicit ShareDisplay(std::string what, TimeLeft time_left = TimeLeft::hidden)
         : what_(std::move(what)),
           time_left_(time_left) {}
@@ -59,10 +59,10 @@ public:
     ShareDisplay(const ShareDisplay&) = delete;
     ShareDisplay& operator=(const ShareDisplay&) = delete;
 
-    /// `share` [1] is done; `detail` ends the line.
+    /// Shows the share [1] that is done; `detail` ends the line.
     void show(double share, const std::string& detail = "");
 
-    /// Takes the line off the screen, before anything else is written.
+    /// Removes the line from the screen, before anything else is written.
     void clear();
 
 private:
@@ -77,16 +77,16 @@ private:
     bool has_line_ = false;
 };
 
-// How far long work on sounds is, on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else, and
-// nothing for what takes no time worth a line.
+// Progress of long work on sounds, on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else, and
+// no line for short work.
 
-/// How far a sound is rendered.
+/// Shows the progress of rendering a sound.
 class RenderDisplay {
 public:
-    /// `duration` [s] of the run.
+    /// Takes the `duration` [s] of the run.
     explicit RenderDisplay(double duration) : duration_(duration) {}
 
-    /// `time` [s] of the run is rendered.
+    /// Shows that `time` [s] of the run is rendered.
     void show(double time);
 
 private:
@@ -94,15 +94,15 @@ private:
     int shown_ = 0;  // [%]
 };
 
-/// How far a recording is analysed.
+/// Shows the progress of analysing a recording.
 class AnalysisDisplay {
 public:
-    /// `frames` of a recording of this rate [Hz], where they are known.
+    /// Takes the number of `frames`, if it is known, and the rate [Hz] of the recording.
     AnalysisDisplay(std::optional<std::uint64_t> frames, double rate);
 
-    /// Is the recording long enough that anybody wants to know? From five minutes on.
+    /// Says whether the recording is long enough for a progress line: five minutes or more.
     bool is_shown() const { return is_shown_; }
-    /// `frames` [1] are analysed.
+    /// Shows that `frames` [1] are analysed.
     void show(std::uint64_t frames);
 
 private:
@@ -111,27 +111,27 @@ private:
     int said_ = 0;  // [%]
 };
 
-/// How far a search by sound is.
+/// Shows the progress of a search by sound.
 class SearchDisplay {
 public:
-    /// Shows how far it is. Without a terminal a search of fewer than 50 cells is not shown.
+    /// Shows the progress. Without a terminal a search of fewer than 50 cells is not shown.
     void show(const hearing::SearchProgress& progress);
 
 private:
     ShareDisplay display_{"listened to", TimeLeft::shown};
 };
 
-/// How far a row of recordings is by their bytes: "2 of 8: squeak.wav".
+/// Shows the progress in a row of recordings by their bytes: "2 of 8: squeak.wav".
 class HeardFilesDisplay {
 public:
-    /// The recordings that will be heard; the sizes of their files are read now.
+    /// Takes the recordings that will be heard, and reads the sizes of their files now.
     explicit HeardFilesDisplay(const std::vector<hearing::Expectation>& recordings);
 
-    /// The next file is begun.
+    /// Begins the next file.
     void begin(const std::string& file);
-    /// `share` [1] of the file that was begun is heard.
+    /// Shows the share [1] of the present file that is heard.
     void show(double share);
-    /// The file that was begun is heard.
+    /// Ends the present file.
     void end() { done_ += size_; }
 
 private:
@@ -144,21 +144,21 @@ private:
     std::uintmax_t size_ = 0;   // [bytes] of the one that is heard
 };
 
-/// How far a row of recordings is by their number: the whole ones, and the share of the one that is heard.
+/// Shows the progress in a row of recordings by their number: the whole ones, and the share of the present one.
 class RowDisplay {
 public:
-    /// `what` is done to each, as in "listened to"; `total` [1] recordings.
+    /// Takes the word for the work, as in "listened to", and the `total` number of recordings [1].
     RowDisplay(std::string what, std::size_t total) : display_(std::move(what)), total_(total) {}
 
-    /// The next recording is begun. It is shown if it takes long.
+    /// Begins the next recording. It is shown if it takes long.
     void begin(const std::filesystem::path& file);
-    /// `share` [1] of the recording that was begun is heard.
+    /// Shows the share [1] of the present recording that is heard.
     void show(double share);
-    /// The recording that was begun is done.
+    /// Ends the present recording.
     void end();
-    /// Takes the line away, so that other text can stand there.
+    /// Removes the line, so that other text can stand there.
     void clear() { display_.clear(); }
-    /// Whole recordings so far [1].
+    /// Returns the number of whole recordings so far [1].
     std::size_t done() const { return done_; }
 
 private:

@@ -17,7 +17,8 @@ namespace stridor::crew {
 /// The threads of this process.
 class ThreadCrew final : public Crew {
 public:
-    /// So many threads; 0: one per processor this process may use. Throws `Error` (io) where the system starts fewer.
+    /// Starts `threads` threads; 0: one per processor this process may use. Throws `Error` (io) if the system starts
+    /// fewer.
     ThreadCrew(const Work& work, int threads, std::stop_token stop);
     ~ThreadCrew() override;
 
@@ -55,11 +56,11 @@ private:
     std::vector<std::jthread> threads_;  // last, so that they end before what they use
 };
 
-/// How many threads are meant by a number that a user gave: 0 is one per processor this process may use. Throws `Error`
-/// (input) for more than any machine has.
+/// Returns the number of threads that a user's number means: 0 is one per processor this process may use. Throws
+/// `Error` (input) for more than any machine has.
 std::size_t thread_count(int asked);
 
-/// Makes crews of so many threads of this process; 0: one per processor this process may use.
+/// Makes crews of `threads` threads of this process; 0: one per processor this process may use.
 CrewMaker thread_crews(int threads = 0);
 
 }  // namespace stridor::crew

@@ -16,17 +16,17 @@ struct Rectangle {
     double top = 0.0;
 };
 
-/// Width of an area, in its unit.
+/// Returns the width of an area, in its unit.
 inline double width_of(const Rectangle& area) {
     return area.right - area.left;
 }
 
-/// Height of an area, in its unit.
+/// Returns the height of an area, in its unit.
 inline double height_of(const Rectangle& area) {
     return area.top - area.bottom;
 }
 
-/// Do two areas have a part in common?
+/// Says whether two areas have a part in common.
 inline bool touch(const Rectangle& a, const Rectangle& b) {
     return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 }
@@ -39,18 +39,18 @@ struct PlacedText {
     Align align = Align::left;
     double size = 8.0;  // [pt]
     Colour colour;
-    /// A quarter turn: read from below to above.
+    /// A quarter turn reads from below to above.
     enum class Turn { none, quarter } turn = Turn::none;
 };
 
-/// Text within a panel.
+/// A note of a panel, placed on paper.
 struct PlacedNote {
     std::size_t layer = 0;  // of the panel, that it belongs to
     PlacedText text;
     std::optional<Colour> ground;  // of a patch under the letters
 };
 
-/// Where one panel stands, with the ticks of its axes.
+/// One panel on paper, with the ticks of its axes.
 struct PlacedPanel {
     Rectangle area;  // inside the axis lines
     TickSet x;
@@ -64,7 +64,7 @@ struct PlacedSample {
     std::variant<Fill, Stroke, Points> sample;
 };
 
-/// Where everything of a scene stands on paper.
+/// The places of all parts of a scene on paper.
 struct Layout {
     double height = 0.0;                    // [mm] of the sheet: the scene's, or more
     std::vector<PlacedPanel> panels;        // as in the scene
@@ -73,12 +73,12 @@ struct Layout {
     std::vector<PlacedSample> samples;
 };
 
-/// Arranges a scene: panels of one column share their left and right ends, panels of one row their upper and lower
-/// ends, whatever numbers stand beside them. A pure function of the scene.
+/// Returns a scene's layout: panels of one column share their left and right ends, panels of one row their upper and
+/// lower ends, whatever numbers stand beside them. A pure function of the scene.
 ///
-/// A text that is too long for its place is broken into lines, and the sheet grows where they would leave less than two
-/// fifths of it to the panels. Of ticks whose labels would touch every second, third, ... keeps its label; those
-/// of an axis with ticks of its own are cut where they would take more than a third of the sheet, or half of the axis.
+/// A text that is too long for its place is broken into lines, and the sheet grows if they would leave less than two
+/// fifths of it to the panels. If labels of ticks would touch, every second, third, ... tick keeps its label. Labels of
+/// an axis with ticks of its own are cut if they would take more than a third of the sheet, or half of the axis.
 Layout arrange(const Scene& scene);
 
 }  // namespace stridor::drawing

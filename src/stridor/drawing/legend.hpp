@@ -13,11 +13,11 @@ struct Measures {
     double to_tick = 0.0;  // from an axis line to its numbers
 };
 
-/// Measures for letters of `font_size` [pt].
+/// Returns the measures for letters of `font_size` [pt].
 Measures measures(double font_size);
 
-/// Places the legend at the foot of the sheet: entries side by side, in as many rows as they need. Returns where the
-/// panels may end [mm].
+/// Places the legend at the foot of the sheet: entries side by side, in as many rows as they need. Returns the lower
+/// end of the room for panels [mm].
 double place_legend(const Scene& scene, Layout& layout);
 
 }  // namespace stridor::drawing

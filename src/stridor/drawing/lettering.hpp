@@ -8,33 +8,34 @@
 
 struct _cairo;  // cairo_t
 
-/// Texts set, measured and drawn by Pango: in DejaVu Sans where it is installed, else in the system's sans-serif font.
+/// Texts set, measured and drawn by Pango: in DejaVu Sans if it is installed, else in the system's sans-serif font.
 ///
-/// A text is taken literally, whatever it holds. Each function throws `Error` (io) where no font is installed.
+/// A text is taken literally. Each function throws `Error` (io) if no font is installed.
 namespace stridor::drawing {
 
-/// Width of a text [mm]; `size` in pt.
+/// Returns the width of a text [mm]; `size` in pt.
 double text_width(const StyledText& text, double size);
 
-/// Cuts a text into lines of at most `width` mm: at its blanks, and within a word that is wider alone.
+/// Returns a text cut into lines of at most `width` mm: at its blanks, and within a word that is wider alone.
 std::vector<StyledText> wrapped(const StyledText& text, double size, double width);
 
-/// Room that a note takes [mm], a little air included.
+/// The room of a note [mm], a little air included.
 struct TextExtent {
     double width = 0.0;
     double height = 0.0;
 };
 
-/// The room of a note of `size` [pt].
+/// Returns the room of a note of `size` [pt].
 TextExtent note_extent(const StyledText& text, double size);
 
-/// How letters are drawn: each where the raster of an image has room for it, or as the curves of its shape.
+/// How letters are drawn: as glyphs, fitted to the raster of an image, or as the curves of their shapes.
 enum class Letters { glyphs, outlines };
 
 /// Draws a text from the origin of a page whose unit is a point, to the right; the middle of its height is at zero.
 void draw_letters(_cairo* page, const StyledText& text, double size, Letters letters);
 
-/// Text as a picture can hold it: control characters are blanks, bytes that are no UTF-8 are replacement characters.
+/// Returns a text as a picture can hold it: control characters become blanks, bytes that are not UTF-8 replacement
+/// characters.
 std::string drawable(std::string_view text);
 
 }  // namespace stridor::drawing

@@ -18,11 +18,11 @@ inline constexpr double png_resolution = 200.0;
 /// How a solid line ends; dashes and dots always end butt.
 enum class LineEnd { butt, round };
 
-/// A sheet of paper that takes ink, by cairo. Places are in mm from its lower left corner, widths of lines and marks in
-/// pt. What is drawn later covers what was drawn before.
+/// A sheet of paper drawn by cairo. Places are in mm from its lower left corner, widths of lines and marks in pt. Later
+/// drawing covers earlier drawing.
 class Page {
 public:
-    /// A white page. `title` is what a reader of the file calls it: a PNG has none.
+    /// Makes a white page. `title` is the file's title; a PNG has none.
     Page(double width, double height, Format format, std::string_view title);
     ~Page();
     Page(const Page&) = delete;
@@ -39,20 +39,20 @@ public:
     /// Draws the edges of an area.
     void outline(const Rectangle& area, const Stroke& stroke);
 
-    /// Marks of one diameter [pt], all in one colour.
+    /// Draws marks of one diameter [pt], all in one colour.
     void marks(std::span<const Dot> middles, Mark mark, double diameter, Colour colour);
 
-    /// Letters a text at its place.
+    /// Writes a text at its place.
     void text(const PlacedText& placed);
 
-    /// Until the matching `end_clip` nothing is drawn outside of the area.
+    /// Limits drawing to the area until the matching `end_clip`.
     void begin_clip(const Rectangle& area);
     /// Ends the last clip that was begun.
     void end_clip();
 
-    /// The bytes of the file; nothing is drawn after it. The same drawing gives the same bytes.
+    /// Returns the bytes of the file; nothing may be drawn afterwards. The same drawing gives the same bytes.
     ///
-    /// Throws `Error` (io) where memory ran out or the page is too large for its format.
+    /// Throws `Error` (io) if memory runs out or the page is too large for its format.
     std::string finished();
 
 private:

@@ -18,22 +18,22 @@ inline constexpr Colour grid_ink{0xE2, 0xE2, 0xE2};   // grid lines
 inline constexpr Colour accent{0x00, 0x66, 0x99};     // the curve of a panel with one curve
 inline constexpr Colour highlight{0xF3, 0xF0, 0xE6};  // the ground under a stretch that is looked at closely
 
-/// The sequential map (viridis) at equal distances, first and last stop included.
+/// Returns the sequential map (viridis) at equal distances, first and last stop included.
 std::span<const Colour> sequential_stops();
 
-/// The sequential map at a share from 0 to 1; beyond that its ends.
+/// Returns the colour of the sequential map at a share from 0 to 1; beyond that its ends.
 Colour sequential(double share);
 
-/// A colour mixed with white; share 1 is the colour itself.
+/// Returns a colour mixed with white; share 1 is the colour itself.
 Colour tint(Colour colour, double share);
 
-/// CIE 1976 lightness L* (D65) of a colour, 0 black to 100 white: what is left of it in a grey print.
+/// Returns the CIE 1976 lightness L* (D65) of a colour, 0 black to 100 white, which a grey print keeps.
 double lightness(Colour colour);
 
-/// The text colour that can be read on a ground: `ink` or white.
+/// Returns the readable text colour on a ground: `ink` or white.
 Colour text_colour_on(Colour ground);
 
-/// "#RRGGBB"
+/// Returns "#RRGGBB"
 std::string hex(Colour colour);
 
 /// A straight line on paper [mm].
@@ -56,8 +56,9 @@ struct Pattern {
     std::vector<Dot> dots;
 };
 
-/// The texture over an area made of rectangles that do not overlap. Its lines and dots have their place on the paper,
-/// not in a rectangle: they run on from one rectangle into the next. `spacing` is the distance between lines [mm].
+/// Returns the texture over an area of rectangles that do not overlap. Its lines and dots have their place on the
+/// paper, not in a rectangle: they continue from one rectangle into the next. `spacing` is the distance between lines
+/// [mm].
 Pattern pattern(Texture texture, std::span<const Rectangle> area, double spacing = 1.3);
 
 }  // namespace stridor::drawing

@@ -9,7 +9,7 @@
 
 namespace stridor::drawing {
 
-/// Which side of a panel its y ticks stand on.
+/// The side of a panel on which its y ticks stand.
 enum class TickSide { left, right };
 
 /// Draws one panel of a scene: its grid, its layers, its frame with the ticks, and its notes over all of them. The
@@ -19,14 +19,14 @@ void draw_panel(Page& page, const Panel& panel, const PlacedPanel& placed, TickS
 /// Draws a sample of the legend.
 void draw_sample(Page& page, const PlacedSample& placed);
 
-/// The picture of a scene as the bytes of a file. The same scene gives the same bytes on the same machine.
+/// Returns the picture of a scene as the bytes of a file. The same scene gives the same bytes on the same machine.
 ///
-/// The file looks the same on every other: the letters of an SVG are outlines, a PDF holds its font.
+/// The file looks the same on every machine: the letters of an SVG are outlines, a PDF holds its font.
 ///
-/// Throws `Error` (io) where no font is installed, memory ran out or the scene is too large for its format.
+/// Throws `Error` (io) if no font is installed, memory runs out or the scene is too large for its format.
 std::string render(const Scene& scene, Format format);
 
-/// PNG, SVG or PDF, by a file's extension. Throws `Error` (input) for any other.
+/// Returns PNG, SVG or PDF, by a file's extension. Throws `Error` (input) for any other.
 Format format_of(const std::filesystem::path& path);
 
 }  // namespace stridor::drawing

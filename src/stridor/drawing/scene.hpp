@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-/// A scene says what a picture shows, in data units. It knows neither where the data came from nor who draws it.
+/// A scene describes the content of a picture, in data units. It knows neither the origin of the data nor the drawer.
 ///
 /// A picture is one function that builds a scene. Panels stand in a grid of rows and columns; their layers are drawn in
 /// order, later ones over earlier ones. Lengths on paper are in mm, text sizes and line widths in pt.
@@ -66,10 +66,10 @@ struct Tick {
     TickSize size = TickSize::major;
 };
 
-/// Do an axis' numbers and title stand beside it, or does a neighbour panel carry them?
+/// Whether an axis' numbers and title stand beside it, or a neighbour panel carries them.
 enum class AxisText { shown, hidden };
 
-/// One axis of a panel: what it shows, and over which values.
+/// One axis of a panel: its quantity and its range.
 struct PanelAxis {
     StyledText label;  // "preload F", without its unit
     std::string unit;  // as in the field table: "m/s^2", "1"
@@ -79,8 +79,8 @@ struct PanelAxis {
     AxisText text = AxisText::shown;
 };
 
-/// A line through points; a NaN parts it. May have as many points as a simulation has steps: it is reduced to the
-/// extremes of each pixel column when drawn.
+/// A line through points; a NaN interrupts it. It may have as many points as a simulation has steps: it is reduced to
+/// the extremes of each pixel column when drawn.
 struct Line {
     std::vector<double> x;  // shape [point]
     std::vector<double> y;  // shape [point]
@@ -105,8 +105,8 @@ struct Points {
 
 /// States over time, one row per state: row r fills y from r + 0.1 to r + 0.9.
 ///
-/// Where intervals are shorter than a pixel column the shade tells the share of time spent in the state; however short,
-/// an interval never vanishes.
+/// If intervals are shorter than a pixel column, the shade shows the share of time spent in the state. Even the
+/// shortest interval stays visible.
 struct Strip {
     /// A stay in one state, in units of x.
     struct Interval {
@@ -153,10 +153,10 @@ struct ValueCells {
     Fill missing;
 };
 
-/// Where a note's position is counted: in data units, or as shares of the panel from its lower left corner.
+/// The reference of a note's position: data units, or shares of the panel from its lower left corner.
 enum class Anchor { data, panel };
 
-/// Which end of a text its position is.
+/// The end of a text at its position.
 enum class Align { left, centre, right };
 
 /// A piece of text in a panel, over all other layers.
@@ -176,7 +176,7 @@ struct RegionNames {
     std::vector<StyledText> names;  // shape [fill]; an empty one is not written
 };
 
-/// The way of a line across a panel.
+/// The direction of a line across a panel.
 enum class Orientation { vertical, horizontal };
 
 /// A straight line across the whole panel at one value.
@@ -188,10 +188,10 @@ struct Rule {
 
 using Layer = std::variant<Line, Points, Strip, Boxes, CategoryCells, ValueCells, Note, RegionNames, Rule>;
 
-/// What surrounds a panel: two axis lines for curves, a closed frame for maps and strips.
+/// The lines around a panel: two axis lines for curves, a closed frame for maps and strips.
 enum class Frame { open, closed };
 
-/// Which faint lines run from the ticks across a panel.
+/// The faint lines from the ticks across a panel.
 enum class Grid { none, vertical, both };
 
 /// One plot, at its place among the others.
@@ -220,7 +220,7 @@ struct ColourBar {
     std::optional<std::size_t> row{};  // beside this row of panels only
 };
 
-/// Does a title stand above the panels, or only among the facts of the file?
+/// Whether a title stands above the panels, or only among the facts of the file.
 enum class TitleText { printed, left_out };
 
 /// A whole picture.

@@ -14,10 +14,11 @@ struct PageFile {
     std::string_view bytes;
 };
 
-/// The file at a path ("/" is the page itself); nothing if there is none. Paths are names in a table and reach no disk.
+/// Returns the file at a path ("/" is the page itself), or null if there is none. Paths are names in a table and reach
+/// no disk.
 const PageFile* page_file(std::string_view path);
 
-/// The explorer's page and data, for requests that the gate let pass. Never throws: what goes wrong is a document
+/// Returns the explorer's page and data, for requests that the gate let pass. Never throws: an error becomes a document
 /// "stridor.explorer.error/1" with status 400 (input), 422 (no result), 503 (stopped) or 500.
 Response answer(const World& world, const HttpRequest& request, const std::stop_token& stop);
 

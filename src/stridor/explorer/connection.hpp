@@ -1,6 +1,6 @@
 #pragma once
 
-// One client's connection. Private to server.cpp, which alone includes Boost: it takes long to compile.
+// One client's connection. Private to server.cpp, the only source with Boost: it takes long to compile.
 
 #include "stridor/explorer/making.hpp"
 
@@ -23,12 +23,12 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 using Stream = asio::generic::stream_protocol;  // TCP or a socket in the file system: one copy of all that follows
 
-/// A view of a library's own as text.
+/// Returns a view of the library as text.
 inline std::string text(beast::string_view view) {
     return {view.data(), view.size()};
 }
 
-/// What answers need to know of a request.
+/// Returns the parts of a request that answers need.
 inline HttpRequest request_of(http::request<http::string_body>&& message) {
     HttpRequest request;
     request.method = text(message.method_string());
@@ -47,8 +47,8 @@ inline HttpRequest request_of(http::request<http::string_body>&& message) {
     return request;
 }
 
-/// Takes no more header lines than its limit, each of which needs memory of its own, and one way alone to send a body
-/// in pieces: a server before this one may read another differently.
+/// Limits the number of header lines, each of which needs memory of its own, and allows only one way to send a body in
+/// pieces: a proxy before this server may read another way differently.
 class Parser : public http::request_parser<http::string_body> {
 public:
     explicit Parser(const Limits& limits) : most_(limits.header_lines) {
@@ -56,7 +56,7 @@ public:
         body_limit(limits.body);
     }
 
-    /// Cookies of whoever set any for this host: many, and long. They are gone afterwards.
+    /// Hands over the cookies of all servers on this host: many, and long. They are gone afterwards.
     std::string take_cookies() { return std::move(cookies_); }
 
 private:
@@ -99,7 +99,7 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    /// Makes room for somebody else.
+    /// Closes the connection to make room for another client.
     void close() { drop(); }
 
     /// Reads the next request. Its first byte may take its time, the rest may not.

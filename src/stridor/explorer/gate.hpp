@@ -11,35 +11,36 @@
 
 namespace stridor::explorer {
 
-/// A site that may show the explorer in a frame: a notebook's, say.
+/// A site that may show the explorer in a frame, such as a notebook.
 struct FramingSite {
     std::string origin;  // "http://localhost:8888"; empty: none, and nobody may
     std::string host;    // "localhost"
 };
 
-/// Reads an origin: http:// or https://, a name or an IPv4 address in lower case, and a port where it is not the usual
-/// one; nothing else, for the text goes into a header field that says who is let in.
+/// Reads an origin: http:// or https://, a name or an IPv4 address in lower case, and a port unless it is the usual
+/// one. It allows nothing else, since the text goes into a header field that says who is let in.
 ///
-/// Its host must be one of `hosts`, under which the explorer is asked for. A browser sends the session's cookie inside
-/// a frame only if both have the same host name (SameSite; ports do not matter). Throws `Error` (input).
+/// Its host must be one of `hosts`, the explorer's own names. A browser sends the session's cookie inside a frame only
+/// if both have the same host name (SameSite; ports do not matter). Throws `Error` (input).
 FramingSite read_framing_site(const std::string& origin, const std::vector<std::string>& hosts);
 
-/// A secret that nobody guesses: 32 bytes of the system's random numbers as 64 hexadecimal digits. Throws `Error` (io).
+/// Returns a secret that nobody can guess: 32 bytes of the system's random numbers as 64 hexadecimal digits. Throws
+/// `Error` (io).
 std::string secret();
 
-/// Are two texts equal? Takes as long for unequal ones of one length as for equal ones,
-/// so that no secret can be felt out.
+/// Says whether two texts are equal. The time does not depend on where texts of one length differ, so that it reveals
+/// no secret.
 bool is_same_secret(std::string_view a, std::string_view b);
 
-/// The address a request's Host field names: "localhost", "127.0.0.1", "[::1]"; without the port.
-/// Empty if it is no host.
+/// Returns the address in a request's Host field: "localhost", "127.0.0.1", "[::1]"; without the port. Empty if it is
+/// not a host.
 std::string host_name(std::string_view host);
 
-/// An address as it stands in a link: "[::1]" for ::1.
+/// Returns an address as it stands in a link: "[::1]" for ::1.
 std::string host_in_link(const std::string& address);
 
-/// Names under which an explorer at this address may be asked for, and those that the user adds; addresses cannot be
-/// made to point elsewhere as names can.
+/// Returns the names by which an explorer at this address may be addressed, with those that the user adds. Unlike
+/// names, addresses cannot be made to point elsewhere.
 std::vector<std::string> host_names(const std::string& address, const std::vector<std::string>& added);
 
 /// Decides which requests reach the explorer.
@@ -52,10 +53,12 @@ std::vector<std::string> host_names(const std::string& address, const std::vecto
 ///    site's request carries that site's.
 class Gate {
 public:
-    /// `announce` is told each new token, the first one at once; the cookie is called stridor-`name`.
+    /// Takes the allowed hosts. Calls `announce` with each new token, the first one at once; the cookie is called
+    /// stridor-`name`.
     Gate(std::vector<std::string> hosts, std::string name, std::function<void(const std::string& token)> announce);
 
-    /// The answer to a request that does not pass, or to /open, which exchanges the token; nothing if it may go on.
+    /// Returns the answer to a request that does not pass, or to /open, which exchanges the token; `std::nullopt` if it
+    /// may go on.
     std::optional<Response> stop(const HttpRequest& request);
 
 private:

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-/// What the explorer knows of HTTP: requests and responses as plain data, whatever carries them.
+/// HTTP in the explorer: requests and responses as plain data, independent of the server.
 namespace stridor::explorer {
 
-/// A request; header fields that are not there are empty.
+/// A request; a missing header field is empty.
 struct HttpRequest {
     std::string method;  // "GET", "POST"
     std::string path;    // "/api/chart", as sent
@@ -24,7 +24,7 @@ struct HttpRequest {
     std::string body;
 };
 
-/// Sends a part of a streamed body; waits while the client is slow to take the parts before it.
+/// Sends a part of a streamed body; waits while the client is slow to take the earlier parts.
 using Send = std::function<void(std::string part)>;
 
 /// An answer to a request, whole or streamed.
@@ -32,29 +32,28 @@ struct Response {
     int status = 200;
     std::string content_type = "text/plain; charset=utf-8";
     std::string body{};
-    std::vector<std::pair<std::string, std::string>> headers{};  // besides those that every response has
-    std::function<void(const Send&, const std::stop_token&)>
-        stream{};  // if there is one, it makes the body part by part
+    std::vector<std::pair<std::string, std::string>> headers{};         // besides those that every response has
+    std::function<void(const Send&, const std::stop_token&)> stream{};  // if set, it makes the body part by part
 };
 
 /// Answers a request. Called from several threads at a time; the token is stopped when the client goes away, the time
 /// for the request is over or the server ends.
 using Handler = std::function<Response(const HttpRequest&, const std::stop_token&)>;
 
-/// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the
-/// thread that carries bytes, so it is quick.
+/// Decides which requests are answered: returns the refusal, or `std::nullopt` for one that may go on. Called on the
+/// thread that carries bytes, so it must be quick.
 using Admit = std::function<std::optional<Response>(const HttpRequest&)>;
 
-/// "No such page": an answer of one line.
+/// Returns an answer of one line: "No such page".
 Response plain(int status, std::string_view text);
 
-/// The value of a query's or a cookie's parameter; empty if it is not there. `separator` is '&' or ';'.
+/// Returns the value of a query's or a cookie's parameter; empty if it is missing. `separator` is '&' or ';'.
 std::string parameter(std::string_view text, std::string_view name, char separator);
 
-/// The values of all parameters of a name, in their order.
+/// Returns the values of all parameters of a name, in their order.
 std::vector<std::string> parameters(std::string_view text, std::string_view name, char separator);
 
-/// The header fields that every response carries: nothing from outside, no framing but by `frame_origin` (empty: by
+/// Returns the header fields of every response: nothing from outside, no framing but by `frame_origin` (empty: by
 /// nobody), no guessing of types, no copies kept.
 std::vector<std::pair<std::string, std::string>> security_headers(const std::string& frame_origin = {});
 

@@ -27,29 +27,30 @@ namespace stridor::explorer {
 /// The parts of a streamed body on their way from the thread that makes them to the one that sends them.
 class Parts {
 public:
-    /// Waits while two are under way, or until stopped: whoever makes parts never runs far ahead of whoever takes them.
+    /// Adds a part. Waits while two are under way, or until stopped, so that the maker never runs far ahead of the
+    /// sender.
     void push(std::string part, const std::stop_token& stop) {
         if (part.empty()) return;  // an empty chunk would end the body
         std::unique_lock lock(mutex_);
         if (changed_.wait(lock, stop, [&] { return parts_.size() < 2; })) parts_.push_back(std::move(part));
     }
 
-    /// Takes the front part away; there must be one.
+    /// Removes the first part; there must be one.
     void pop() {
         const std::lock_guard lock(mutex_);
         parts_.pop_front();
         changed_.notify_all();
     }
 
-    /// The next one, which stays where it is until `pop`; null where there is none.
+    /// Returns the first part, which stays until `pop`, or null if there is none.
     const std::string* front() {
         const std::lock_guard lock(mutex_);
         return parts_.empty() ? nullptr : &parts_.front();
     }
 
-    /// No more will come; told and asked by the sending thread.
+    /// Declares that no more parts will come; called by the sending thread.
     void end() { has_ended_ = true; }
-    /// Likewise: will no more come?
+    /// Says whether no more parts will come; called by the sending thread.
     bool has_ended() const { return has_ended_; }
 
 private:
@@ -61,30 +62,31 @@ private:
 
 class Connection;
 
-/// An answer being made: stopped with the server, by its deadline or when its client goes away.
+/// An answer being made. It is stopped with the server, by its deadline or when its client leaves.
 struct Answering {
-    /// It is stopped with `server`.
+    /// Makes it so that `server` stops it.
     Answering(boost::asio::io_context& io, const std::stop_token& server)
         : deadline(io),
           look(io),
           patience(io),
           relay(server, [this] { source.request_stop(); }) {}
 
-    /// Stopped when the answer is no longer wanted.
+    /// Returns a token that is stopped when the answer is no longer wanted.
     std::stop_token token() const { return source.get_token(); }
 
     boost::asio::steady_timer deadline;  // when it is stopped
     boost::asio::steady_timer look;      // when its client is looked after
     boost::asio::steady_timer patience;  // when it is given up
-    /// How far it is.
+    /// The progress of the answer.
     enum class State { waiting, making, given_up, done } state = State::waiting;
     std::stop_source source;
     std::stop_callback<std::function<void()>> relay;
 };
 
-/// What all connections share. The threads that make answers own it, too: one that never ends keeps what it stands on.
+/// The shared data of all connections. The threads that make answers own it, too: a thread that never ends keeps it
+/// alive.
 ///
-/// Everything but the counts of connections and threads is touched by the thread that carries bytes alone.
+/// Only the thread that carries bytes touches it, except the counts of connections and threads.
 struct Shared : std::enable_shared_from_this<Shared> {
     Shared(const Limits& given, const std::string& frame_origin)
         : limits(given),
@@ -92,14 +94,14 @@ struct Shared : std::enable_shared_from_this<Shared> {
 
     using Task = std::function<void()>;
 
-    /// Has an answer made as soon as there is a place for it.
+    /// Lets an answer be made as soon as there is a place for it.
     void add(const std::shared_ptr<Answering>& work, Task task) {
         ++requests;
         waiting.emplace_back(work, std::move(task));
         fill();
     }
 
-    /// An answer is made, or was never begun.
+    /// Ends an answer that is made, or was never begun.
     void finish(Answering& work) {
         for (boost::asio::steady_timer* timer : {&work.deadline, &work.look, &work.patience})
             timer->cancel();
@@ -112,7 +114,7 @@ struct Shared : std::enable_shared_from_this<Shared> {
         fill();
     }
 
-    /// Tells an answer to stop; `unanswered` is called should it not heed that, or not be begun.
+    /// Tells an answer to stop; calls `unanswered` if it does not stop, or was not begun.
     void stop_work(const std::shared_ptr<Answering>& work, const Task& unanswered) {
         const bool is_first = work->source.request_stop();
         if (work->state == Answering::State::waiting) {

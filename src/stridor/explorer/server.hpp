@@ -12,14 +12,14 @@
 
 namespace stridor::explorer {
 
-/// Where to listen.
+/// The address of the server.
 struct Address {
     std::string host = "127.0.0.1";       // an address of this machine, no name
     std::uint16_t port = 0;               // 0: any free one
     std::filesystem::path unix_socket{};  // if given, instead: a socket in the file system, for its owner alone
 };
 
-/// What one client may ask of the server.
+/// The limits of the server for its clients.
 struct Limits {
     std::size_t header = 1024 * 1024;       // [B] browsers send the cookies of all who share the host: up to 720 kB
     std::size_t header_lines = 200;         // [1] each takes memory of its own
@@ -37,31 +37,31 @@ struct Limits {
 
 /// An HTTP/1.1 server (Boost.Beast) for few clients: one thread carries bytes, a few make answers.
 ///
-/// What exceeds a limit is refused (413, 431, 503) or closed; memory stays bounded by the limits whatever clients send.
+/// Requests beyond a limit are refused (413, 431, 503) or closed; memory stays bounded by the limits, whatever clients
+/// send.
 ///
-/// An answer is stopped when its client leaves, its time is over or the server ends. One that does not heed its token
-/// in time is given up: its place goes to another, its thread to nobody. Ending waits for such threads no longer than
-/// for the
-/// others.
+/// An answer is stopped when its client leaves, its time is over or the server ends. An answer that does not stop in
+/// time is given up: another one gets its place, but nobody gets its thread. Ending waits for such threads no longer
+/// than for the others.
 class Server {
 public:
     /// Listens at once. Pages of `frame_origin` may show it in a frame; empty: none. Throws `Error` (input) for an
-    /// address that is none, (io) for one that cannot be had.
+    /// invalid address, (io) for one that is not available.
     explicit Server(const Address& address, const Limits& limits = {}, const std::string& frame_origin = {});
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
 
-    /// The port that it listens at; 0 with a socket in the file system.
+    /// Returns its port; 0 with a socket in the file system.
     std::uint16_t port() const;
 
-    /// Answers requests until stopped. Once.
+    /// Answers requests until stopped. May be called once.
     ///
-    /// Connections over which `admit` has let a request through come first: where there are too many, the one of the
-    /// others that was there longest is closed, so that strangers who say nothing keep nobody out.
+    /// Connections over which `admit` has let a request through have priority: if there are too many connections, the
+    /// oldest of the others is closed, so that silent strangers keep nobody out.
     ///
-    /// Returns how many answers are still being made, by threads that did not stop: with any, whatever the handler
-    /// refers to must outlive them, or the program end at once.
+    /// Returns the number of answers still being made, by threads that did not stop. If there are any, the objects that
+    /// the handler uses must outlive them, or the program must end at once.
     std::size_t serve(const Handler& handler, const std::stop_token& stop, const Admit& admit = {});
 
 private:
@@ -69,7 +69,7 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Is it an address that only this machine reaches?
+/// Says whether only this machine reaches an address.
 bool is_loopback(const std::string& host);
 
 /// Throws `Error` (input) for an address that other machines reach.

@@ -15,16 +15,16 @@
 #include <string>
 #include <vector>
 
-/// Recordings by ear, held against what somebody says they are.
+/// Recordings by ear, compared with what people say they are.
 namespace stridor::hearing {
 
-/// What somebody says a recording is.
+/// What a person says a recording is.
 struct Expectation {
     std::string file;                                    // with its folder
     std::string words;                                   // as they stand in the table: "squeak or creak"
     std::vector<classification::Category> categories{};  // any of these is right; never empty
-    std::string source{};                                // whose it is; recordings of one source are alike
-    bool is_sure = true;                                 // is somebody sure of the label?
+    std::string source{};                                // who recorded it; recordings of one source are alike
+    bool is_sure = true;                                 // whether the label is sure
 };
 
 /// A recording by ear.
@@ -35,37 +35,37 @@ struct HeardRecording {
     double probability = 0.0;  // [1] of the category, by the ear; 0: by the rules
 };
 
-/// Is it heard as one of the categories that are expected?
+/// Says whether it is heard as one of the expected categories.
 bool is_right(const HeardRecording& recording);
 
-/// The verdict by ear on the loudest channel; reads the source to its end.
+/// Returns the verdict by ear on the loudest channel; reads the source to its end.
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
                                             const sound::AnalysisProgress& progress = {});
 
-/// All that decides what is heard in these recordings, as text: for what is kept of them. A file stands in it with its
-/// size and the time of its last change; its bytes are not read.
+/// Returns all that decides the verdicts on these recordings, as text that identifies kept results. A file is named
+/// with its size and the time of its last change; its bytes are not read.
 std::string heard_text(std::span<const Expectation> expectations, const parameters::SoundThresholds& thresholds);
 
 /// How recordings are heard.
 struct RecordingHearing {
     parameters::SoundThresholds thresholds{};
     std::stop_token stop{};
-    storage::KeptResults* kept = nullptr;  // where verdicts are kept by their place in the row, if anywhere
+    storage::KeptResults* kept = nullptr;  // verdicts kept by their place in the row, if any
     std::function<void(const std::string& file)> begin = [](const std::string&) { /* of a file */ };
     std::function<void(double share)> progress = [](double) { /* [1] of the file that was begun */ };
     std::function<void()> end = [] { /* of a file */ };
 };
 
-/// Hears one recording after the other; what is kept is not heard again.
+/// Hears one recording after the other; kept verdicts are not computed again.
 ///
-/// Throws `Error`: interrupted when it is stopped, and what reading a recording throws.
+/// Throws `Error` (interrupted) when it is stopped, and the errors of reading a recording.
 std::vector<HeardRecording> hear(std::span<const Expectation> expectations, const RecordingHearing& hearing);
 
-// How well the ear does on recordings that somebody has labelled.
+// How well the ear judges labelled recordings.
 
-/// So many of so many, with what chance leaves of it. Recordings of one source are no independent witnesses: the
-/// interval comes from drawing sources again, with replacement (cluster bootstrap, Davison and Hinkley 1997, section
-/// 3.8), 2000 times with a fixed seed.
+/// A number of right verdicts out of a count, with its confidence interval. Recordings of one source are not
+/// independent: the interval comes from drawing sources again, with replacement (cluster bootstrap, Davison and Hinkley
+/// 1997, section 3.8), 2000 times with a fixed seed.
 struct RightShare {
     std::string what;  // "creaks"
     std::size_t right = 0;
@@ -74,7 +74,7 @@ struct RightShare {
     double high = 0.0;  // [1] 2.5 % lie above
 };
 
-/// Recordings of about one probability.
+/// Recordings with similar probabilities.
 struct CalibrationBin {
     double from = 0.0;  // [1] probability
     double to = 0.0;    // [1]
@@ -83,7 +83,7 @@ struct CalibrationBin {
     double probability = 0.0;  // [1] their mean
 };
 
-/// What is left where the ear speaks from a probability on.
+/// The verdicts that remain if the ear decides only from a probability on.
 struct AbstentionPoint {
     double probability = 0.0;  // [1]
     std::size_t decided = 0;
@@ -99,11 +99,11 @@ struct HeardRow {
 struct RecordingScore {
     std::vector<RightShare> shares{};
     std::vector<HeardRow> rows{};            // the expectations in the order they come
-    std::vector<CalibrationBin> bins{};      // of those by the ear; none where all were heard by the rules
-    std::vector<AbstentionPoint> decided{};  // likewise
+    std::vector<CalibrationBin> bins{};      // of those by the ear; empty if all were heard by the rules
+    std::vector<AbstentionPoint> decided{};  // of those by the ear; empty if all were heard by the rules
 };
 
-/// The score of what was heard. Recordings are right where one of the expected categories is heard.
+/// Returns the score of the verdicts. A recording is right if one of its expected categories is heard.
 RecordingScore score_of(std::span<const HeardRecording> recordings);
 
 }  // namespace stridor::hearing

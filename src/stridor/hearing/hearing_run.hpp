@@ -18,25 +18,25 @@
 
 namespace stridor::hearing {
 
-// What was heard as text, to be kept while a long evaluation or search goes on: read back it is the same, bit for bit.
+// Verdicts on sounds as text, kept during a long evaluation or search. They read back bit for bit.
 
-/// The text of one sound.
+/// Returns the text of one sound.
 std::string packed(const CellSound& sound);
 
-/// The text of several.
+/// Returns the text of several sounds.
 std::string packed(std::span<const HeardSound> sounds);
 
-/// The sound of such a text; nothing for text that is none.
+/// Returns the sound of such a text, or `std::nullopt` for any other text.
 std::optional<CellSound> unpacked_cell_sound(std::string_view text);
 
-/// Likewise, of several.
+/// Returns the sounds of such a text, or `std::nullopt` for any other text.
 std::optional<std::vector<HeardSound>> unpacked_heard_sounds(std::string_view text);
 
-/// How the cells of a study are heard.
+/// How the cells of a study are made audible and judged.
 struct HearingOptions {
     HearingSettings settings{};
-    std::size_t perturb_every = 7;                // [1] every so many runs' sounds are perturbed too; 0: none are
-    crew::CrewMaker crew = crew::thread_crews();  // who computes
+    std::size_t perturb_every = 7;                // [1] the sounds of one run in so many are perturbed too; 0: none
+    crew::CrewMaker crew = crew::thread_crews();  // the crew that computes
     std::stop_token stop{};
     storage::KeptResults* kept =
         nullptr;  // where runs are kept by their first index, if anywhere; must outlive the hearing
@@ -44,18 +44,18 @@ struct HearingOptions {
         progress{};  // called from the caller's thread, at most ten times a second
 };
 
-/// All that decides what is heard of a study, as text: for what is kept of it.
+/// Returns all that decides the sounds of a study, as text that identifies kept results.
 std::string heard_text(const sweep::Study& study, const HearingOptions& options);
 
-/// The hearing of a study's runs as the work of a crew: a task is a run by the index of its first cell, and its result
-/// what is kept of it. Study and options must outlive the crew.
+/// Returns the hearing of a study's runs as the work of a crew: a task is a run by the index of its first cell, and its
+/// result is the text to be kept. Study and options must outlive the crew.
 crew::Work work_of(const sweep::Study& study, const HearingOptions& options);
 
-/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept
-/// is not heard again.
+/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. Kept results
+/// are not computed again.
 ///
-/// The same result for every crew. A study's refinement is not looked at: every cell is heard. Throws
-/// `Error` (input) for a study with several starts, of which one could be heard only, and what `check_audible` throws.
+/// The result does not depend on the crew. A study's refinement is ignored: every cell is heard. Throws `Error` (input)
+/// for a study with several starts, of which only one could be heard, and what `check_audible` throws.
 std::vector<HeardSound> hear(const sweep::Study& study, const HearingOptions& options);
 
 /// One of Table 1's cases by ear.
@@ -67,10 +67,10 @@ struct HeardCase {
 };
 
 /// Hears the cases of Table 1: their phases, and the whole motion as one sound, as `stridor listen` makes it audible.
-/// Throws `Error` (interrupted) where it was stopped.
+/// Throws `Error` (interrupted) if it was stopped.
 std::vector<HeardCase> hear_table_1(const HearingOptions& options);
 
-/// Throws the `Error` (interrupted) of sounds that are kept as they are heard: "stopped in Table 1 ...".
+/// Throws the `Error` (interrupted) for sounds that are kept as they are heard: "stopped in Table 1 ...".
 [[noreturn]] void throw_stopped(const std::string& where);
 
 }  // namespace stridor::hearing

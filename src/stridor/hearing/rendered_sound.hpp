@@ -14,22 +14,22 @@
 
 namespace stridor::hearing {
 
-/// A sound of one channel that is made block by block and read again from its beginning, as often as wanted: in a
-/// temporary file without a name, so that hours of it never stand in memory.
+/// A sound of one channel that is made block by block and can be read again from its beginning. It lies in a nameless
+/// temporary file, so that hours of it never stand in memory.
 class RenderedSound final : public signal::Source {
 public:
-    /// An empty sound of a rate [Hz]; `unit` is that of its samples.
+    /// Makes an empty sound of a rate [Hz]; `unit` is that of its samples.
     RenderedSound(double rate, std::string unit);
 
-    /// Adds samples [unit] at the end. Throws `Error` (io) where the disk is full.
+    /// Adds samples [unit] at the end. Throws `Error` (io) if the disk is full.
     void append(std::span<const double> samples);
 
-    /// The next read begins with the first sample.
+    /// Lets the next read begin with the first sample.
     void rewind();
 
     double peak() const { return peak_; }  // [unit] largest magnitude
     double mean_square() const;            // [unit^2]
-    /// Samples so far [1].
+    /// Returns the number of samples so far [1].
     std::uint64_t frames() const { return *layout_.frames; }
 
     const signal::ChannelLayout& layout() const override { return layout_; }
@@ -43,22 +43,23 @@ private:
     double square_sum_ = 0.0;
 };
 
-/// Is told how much of the run [s] is rendered.
+/// Called with the rendered time of the run [s].
 using RenderProgress = std::function<void(double)>;
 
-/// A sound with the rest of what its run left.
+/// A sound with the record of its run.
 struct Rendering {
     std::unique_ptr<RenderedSound> sound;
     record::Record record;
 };
 
-/// Simulates a case and makes the sound of it [m/s or m/s^2].
+/// Simulates a case and returns its sound [m/s or m/s^2].
 ///
 /// Throws `Error` for a run that has no result or was stopped, and for a beta_2 step too long to be heard.
 Rendering render(const parameters::Case& c, const sound::AuralisationSettings& settings, record::KeepHistory history,
                  const std::stop_token& stop, const RenderProgress& progress);
 
-/// The sound alone.
+/// Simulates a case and returns its sound alone [m/s or m/s^2]. Throws `Error` for a run that has no result or was
+/// stopped, and for a beta_2 step too long to be heard.
 std::unique_ptr<RenderedSound> render(const parameters::Case& c, const sound::AuralisationSettings& settings,
                                       const std::stop_token& stop, const RenderProgress& progress);
 

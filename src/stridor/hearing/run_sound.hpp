@@ -19,48 +19,48 @@
 #include <string>
 #include <vector>
 
-/// The sound of a simulated motion, in memory: what the cells of a chart are judged by ear from.
+/// The sound of a simulated motion, in memory, by which the cells of a chart are judged.
 namespace stridor::hearing {
 
-/// A motion that nowhere exceeds this is rounding, and silence [m/s], [m/s^2].
+/// A motion that nowhere exceeds this is rounding, and counts as silence [m/s], [m/s^2].
 inline constexpr double least_motion = 1e-9;
 
-/// The stretches of a case's motion that are listened to: the window its rates are made from, and of it the phases of a
-/// direction. None if the drive never moves that way in the window, or the case is invalid.
+/// Returns the heard stretches of a case's motion: within the window of its rates, the phases of a direction. Empty if
+/// the drive never moves that way in the window, or the case is invalid.
 std::vector<sound::Stretch> heard_stretches(const parameters::Case& c, parameters::Direction direction);
 
-/// Throws `Error` (input) for a case whose motion cannot be sampled densely enough for such a sound
-/// (engines with long steps).
+/// Throws `Error` (input) for a case whose motion cannot be sampled densely enough for such a sound (engines with long
+/// steps).
 void check_audible(const parameters::Case& c, const sound::AuralisationSettings& settings);
 
-/// A run, and what of it is heard.
+/// A run, and its heard parts.
 struct RunSound {
     sweep::Attempt attempt;
-    std::vector<signal::Signal> parts{};  // [m/s or m/s^2] shape [settings.stretches]; none unless the run is done
+    std::vector<signal::Signal> parts{};  // [m/s or m/s^2] shape [settings.stretches]; empty unless the run is done
 };
 
 /// Runs a case and makes a sound of each of the stretches by itself, faded as the settings say; they may overlap.
-/// Without stretches the whole run is the one part. Nothing if it was stopped.
+/// Without stretches the whole run is the one part. Returns `std::nullopt` if it was stopped.
 ///
-/// The motion is listened to from 0.1 s before the first stretch on, in which the high pass at 20 Hz forgets how it
-/// began, and to 0.1 s behind the last one. A stretch whose motion nowhere exceeds `least_motion` is made silent. What
-/// goes wrong with the physics or the numbers is the attempt's status; throws what `check_audible` throws.
+/// The motion is used from 0.1 s before the first stretch, in which the high pass at 20 Hz forgets the beginning, to
+/// 0.1 s behind the last one. A stretch whose motion nowhere exceeds `least_motion` becomes silent. A fault of the
+/// physics or the numbers is the attempt's status; throws what `check_audible` throws.
 std::optional<RunSound> sound_of_run(const parameters::Case& c, const sound::AuralisationSettings& settings,
                                      const std::stop_token& stop, integration::Workspace& workspace);
 
-/// The sound of a case [m/s or m/s^2]: the stretches of the settings (`heard_stretches` gives those of a direction) one
-/// after the other, each faded in and out, or the whole run. It stands in memory: eight bytes per sample of the run.
-/// For more seconds than the case lasts, give it a longer `run.duration` and `run.window`.
+/// Returns the sound of a case [m/s or m/s^2]: the stretches of the settings (`heard_stretches` gives those of a
+/// direction) one after the other, each faded in and out, or the whole run. It stands in memory: eight bytes per sample
+/// of the run. For a longer sound, give the case a longer `run.duration` and `run.window`.
 ///
 /// Throws `Error`: input for an invalid case and what `check_audible` throws, numerical for a run without a result,
 /// interrupted if it was stopped.
 signal::Signal sound_of_case(const parameters::Case& c, const sound::AuralisationSettings& settings,
                              const std::stop_token& stop = {});
 
-/// Parts of a sound put one after the other; there is at least one.
+/// Returns parts of a sound, at least one, one after the other.
 signal::Signal joined(std::span<const signal::Signal> parts);
 
-/// What a sound is by ear.
+/// The verdict by ear on a sound.
 struct HeardVerdict {
     std::vector<sound::SoundStretch> stretches{};
     classification::RecordingVerdict verdict{};
@@ -76,7 +76,7 @@ struct CellListening {
     parameters::SoundThresholds thresholds{};
 };
 
-/// What one cell of a chart sounds like.
+/// The sound of one cell of a chart.
 struct CellSound {
     std::size_t index = 0;                                                   // of the cell in its study
     sweep::Status status = sweep::Status::failed;                            // only a done cell has a sound
@@ -86,10 +86,10 @@ struct CellSound {
     classification::SoundProfile profile{};
 };
 
-/// Simulates a cell, from the first of the study's starts if it has any, and listens to it as to a recording of its
-/// phases put one after the other (`sound_of_run`); nothing if it was stopped.
+/// Simulates a cell, from the first of the study's starts if it has any, and judges it like a recording of its phases
+/// one after the other (`sound_of_run`); returns `std::nullopt` if it was stopped.
 ///
-/// What goes wrong with the physics or the numbers becomes the status, as in `evaluate_run`.
+/// A fault of the physics or the numbers becomes the status, as in `evaluate_run`.
 std::optional<CellSound> sound_of_cell(const sweep::Study& study, std::size_t index, const CellListening& listening,
                                        const std::stop_token& stop, integration::Workspace& workspace);
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-// The structures of Arrow's C data and C stream interfaces, as their specification gives them, guards included: who
-// includes another copy of them before or after has the same.
+// The structures of Arrow's C data and C stream interfaces, as their specification gives them, with its guards: another
+// copy of them may be included before or after this one.
 
 extern "C" {
 

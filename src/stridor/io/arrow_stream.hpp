@@ -12,7 +12,7 @@
 /// library in between.
 namespace stridor::io {
 
-/// What the values of a column are.
+/// The kind of a column's values.
 enum class ArrowKind {
     number,   // float64
     integer,  // int64
@@ -24,8 +24,8 @@ struct ArrowColumn {
     std::string name;
     std::map<std::string, std::string> about;  // the field's metadata: "unit", "long_name"
     ArrowKind kind = ArrowKind::number;
-    std::vector<double> values;      // by kind, of words their numbers; NaN is a missing value, a null; shape [row]
-    std::vector<std::string> words;  // of words alone
+    std::vector<double> values;      // by kind, words as numbers; NaN is a missing value, a null; shape [row]
+    std::vector<std::string> words;  // for columns of words alone
 };
 
 /// Columns of one length.
@@ -35,11 +35,11 @@ struct ArrowTable {
     std::size_t rows_at_once = 65536;            // [1] rows of a chunk, a multiple of 64
 };
 
-/// A stream of chunks of a table, each a struct array with a child per column. The caller owns it, and ends it by its
-/// release(). Schemas and chunks live on without the stream, and children without their parents. Nothing of it belongs
+/// Returns a stream of chunks of a table, each a struct array with a child per column. The caller owns it, and ends it
+/// by its release(). Schemas and chunks outlive the stream, and children outlive their parents. No part of it belongs
 /// to a thread or an interpreter.
 ///
-/// Throws `Error` (input) for columns of different lengths, and numbers of words that are none.
+/// Throws `Error` (input) for columns of different lengths, and for invalid numbers of words.
 ArrowArrayStream arrow_stream(ArrowTable table);
 
 }  // namespace stridor::io

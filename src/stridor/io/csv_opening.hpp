@@ -8,7 +8,8 @@
 
 namespace stridor::io {
 
-/// The first facts of a table about a case: schema "stridor.WHAT/1", version, commit, and the title if it has one.
+/// Returns the first facts of a table about a case: schema "stridor.WHAT/1", version, commit, and the title if it has
+/// one.
 base::csv_text::Facts csv_opening(std::string_view what, const parameters::Case& c);
 
 /// Adds each line "key = value" of a canonical text as a fact.

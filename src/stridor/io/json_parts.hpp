@@ -1,6 +1,6 @@
 #pragma once
 
-// What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
+// What all JSON documents share. Private to this folder, so that nlohmann's types stay out of other headers.
 
 #include "stridor/base/json.hpp"
 #include "stridor/base/version.hpp"
@@ -26,13 +26,13 @@ namespace stridor::io::json_parts {
 
 using base::Json;
 
-/// The word of an enumerator: `names` are in the order of the enumeration.
+/// Returns the word of an enumerator: `names` are in the order of the enumeration.
 template <typename Enumeration>
 std::string_view name_of(std::span<const std::string_view> names, Enumeration value) {
     return names[static_cast<std::size_t>(value)];
 }
 
-/// Why a contact is quiet; null if it is not.
+/// Returns why a contact is quiet; null if it is not.
 inline Json quiet_word(classification::Quiet quiet) {
     return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
 }
@@ -100,8 +100,8 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
         object["outputs"].push_back(output.name);
 }
 
-/// A case by sections and names: quantities as numbers in their units, all else as text. Fields without a meaning for
-/// the case are left out.
+/// Returns a case by sections and names: quantities as numbers in their units, all else as text. Fields without a
+/// meaning for the case are left out.
 inline Json case_object(const parameters::Case& c) {
     Json object = Json::object();
     if (c.further_joints.empty()) {
@@ -123,7 +123,7 @@ inline Json case_object(const parameters::Case& c) {
     return object;
 }
 
-/// Units of a case by where they stand in a document: "case.joint.mass": "kg".
+/// Returns the units of a case by their place in a document: "case.joint.mass": "kg".
 inline Json case_units(const parameters::Case& c) {
     Json units = Json::object();
     for (const parameters::Field& field : parameters::fields())
@@ -146,7 +146,7 @@ inline Json case_units(const parameters::Case& c) {
     return units;
 }
 
-/// Margins, each figure beside its threshold.
+/// Returns margins, each figure beside its threshold.
 inline Json margins_array(std::span<const classification::Margin> margins) {
     Json array = Json::array();
     for (const classification::Margin& margin : margins) {
@@ -160,7 +160,7 @@ inline Json margins_array(std::span<const classification::Margin> margins) {
     return array;
 }
 
-/// Thresholds by ear, by their names.
+/// Returns thresholds by ear, by their names.
 inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
     Json object = Json::object();
     for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
@@ -168,7 +168,7 @@ inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
     return object;
 }
 
-/// An axis with its unit and all its values.
+/// Returns an axis with its unit and all its values.
 inline Json axis_object(const sweep::Axis& axis) {
     Json values = Json::array();
     for (int index = 0; index < axis.points; ++index)
@@ -179,7 +179,7 @@ inline Json axis_object(const sweep::Axis& axis) {
             {"values", std::move(values)}};
 }
 
-/// What every document about a case begins with: schema, version, commit, case.
+/// Returns the beginning of every document about a case: schema, version, commit, case.
 inline Json opening(std::string_view what, const parameters::Case& c) {
     return {{"schema", "stridor." + std::string(what) + "/1"},
             {"version", base::version()},

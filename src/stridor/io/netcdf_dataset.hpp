@@ -12,41 +12,41 @@
 
 namespace stridor::io {
 
-/// May numbers be missing (NaN)? Coordinates may not.
+/// Whether numbers may be missing (NaN). Coordinates may not.
 enum class MissingNumbers { no, as_nan };
 
-/// What a variable is, for its attributes.
+/// The attributes of a variable.
 struct Description {
     std::string_view units;      // empty: none
     std::string_view long_name;  // empty: none
     MissingNumbers missing = MissingNumbers::as_nan;
 };
 
-/// How a variable that comes in parts lies in the file: in boxes of this shape [dimension], each packed without loss.
-/// Parts should be made of whole boxes: what fills one but partly has it unpacked and packed again.
+/// The boxes in the file of a variable that comes in parts: each box has this shape [dimension] and is packed without
+/// loss. Parts should consist of whole boxes: a part that fills only some of a box has it unpacked and packed again.
 using ChunkShape = std::span<const std::size_t>;
 
-/// Names of numbers from 0 on; -1 stands for `none`, the last of them, where `none` is not empty.
+/// Names of numbers from 0 on; if `none` is not empty, -1 stands for it, the last of them.
 struct FlagNames {
     std::span<const std::string_view> names;
     std::string_view none{};
 };
 
-/// What a dataset becomes.
+/// The format of a dataset.
 enum class DatasetFormat {
     netcdf4,
     zarr,  // a folder of the layout Zarr 2, with dimensions named as xarray does it
 };
 
-/// A netCDF-4 file being made, a thin cover over the C library; `name` appears in errors.
+/// A netCDF-4 file being made, a thin cover of the C library; `name` appears in errors.
 ///
-/// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call, or in parts.
+/// Dimensions are identified by the library's numbers. Variables are written whole, in one call, or in parts.
 class NetcdfDataset {
 public:
-    /// In memory.
+    /// Makes a file in memory.
     explicit NetcdfDataset(std::string name);
-    /// In `path`, which may be there; for Zarr an absolute one, of a folder with a plain name. HDF5 takes a write that
-    /// fails for the end of the process (a segmentation fault, there or at the process' end): only in a process that
+    /// Makes a file in `path`, which may exist; for Zarr an absolute path of a folder with a plain name. If a write
+    /// fails, HDF5 ends the process (a segmentation fault, there or at the process' end): use it only in a process that
     /// may be lost.
     NetcdfDataset(std::string name, const std::string& path, DatasetFormat format = DatasetFormat::netcdf4);
     NetcdfDataset(const NetcdfDataset&) = delete;
@@ -59,35 +59,35 @@ public:
     /// letters along NAME_length.
     void attribute(const std::string& name, const std::string& text);
 
-    /// Each returns the variable's number.
+    /// Adds a variable of numbers and returns its number.
     int doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
                 const Description& description);
-    /// Numbers that come in parts, by `put`; until then they are missing.
+    /// Adds a variable of numbers that come in parts, by `put`; until then they are missing. Returns its number.
     int doubles(const std::string& name, std::span<const int> dimensions, ChunkShape chunk,
                 const Description& description);
-    /// Puts values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
+    /// Writes values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const double> values);
-    /// Likewise, of flags.
+    /// Writes flags into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const signed char> values);
-    /// Words, one of each place: in Zarr numbered flags of these names, for the library (4.9.0) cannot write words
-    /// there.
+    /// Adds a variable of words, one for each place, and returns its number. In Zarr they are numbered flags of these
+    /// names, since the library (4.9.0) cannot write words there.
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
-    /// Numbers of names (CF flags). No number is called missing: readers would make floating-point numbers of all of
-    /// them.
+    /// Adds a variable of numbers of names (CF flags) and returns its number. No number is marked as missing: readers
+    /// would turn all of them into floating-point numbers.
     int flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
               const FlagNames& names, const Description& description);
-    /// Likewise, in parts.
+    /// Adds a variable of flags that come in parts, by `put`, and returns its number.
     int flags(const std::string& name, std::span<const int> dimensions, ChunkShape chunk, const FlagNames& names,
               const Description& description);
     /// Adds an attribute of a variable.
     void attribute(int variable, const std::string& name, const std::string& text);
 
-    /// Ends the file; nothing may be added after it.
+    /// Ends the file; nothing may be added afterwards.
     void finish();
-    /// Ends a file in memory and shows its bytes, which go with the call.
+    /// Ends a file in memory and shows its bytes, which are valid during the call.
     void finish(const std::function<void(std::string_view)>& take);
 
 private:
@@ -107,7 +107,7 @@ private:
     int id_ = -1;
 };
 
-/// What every file of ours says of itself: conventions, title, the program, and the schema "stridor.SCHEMA/1".
+/// Adds the origin of every file of ours: conventions, title, the program, and the schema "stridor.SCHEMA/1".
 void put_origin(NetcdfDataset& file, std::string_view schema, const std::string& title);
 
 }  // namespace stridor::io

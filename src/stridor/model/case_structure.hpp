@@ -5,12 +5,13 @@
 
 namespace stridor::model {
 
-/// The structure of any case: the paper's joint on a plate, several (`rubbing_system`), or the user's own.
+/// Returns the structure of any case: the paper's joint on a plate, several joints (`rubbing_system`), or the user's
+/// own.
 ///
-/// An own structure is pressed by contact.preload in the shares of its contacts, f0 = -sum of n N0, or by a load and
-/// gaps that are negative, whose forces `static_contact` finds. Displacements are measured from that rest: there u = 0,
-/// and the gaps are what is left open. Its vibration is that of its contacts' points. Throws `Error` (input) where a
-/// load does not close any contact, or the stiffness does not hold what it presses.
+/// An own structure is pressed in one of two ways. Either contact.preload is shared among its contacts, f0 = -sum of n
+/// N0. Or a load and negative gaps press it, and `static_contact` finds the forces. Displacements are measured from
+/// that rest: u = 0 there, and the gaps are those still open. Its vibration is that of the contacts' points. Throws
+/// `Error` (input) if a load closes no contact, or if the stiffness does not hold the pressed structure.
 Structure structure_of(const parameters::Case& c);
 
 }  // namespace stridor::model

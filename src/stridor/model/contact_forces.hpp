@@ -30,16 +30,16 @@ struct SurfaceMotion {
     double acceleration = 0.0;  // [m/s^2] V'
 };
 
-/// Throws `Error` (numerical) naming a Painleve configuration, for either direction of slip. `normal_compliance` Wnn
-/// and `coupling` Wnt [1/kg].
+/// Throws `Error` (numerical) that names a Painleve configuration, for either direction of slip. Takes
+/// `normal_compliance` Wnn and `coupling` Wnt [1/kg].
 void require_no_painleve(double normal_compliance, double coupling, const FrictionLaw& friction);
 
-/// State, forces and acceleration of a structure with one contact whose gap is closed or open by its displacement u [m]
-/// and velocity v [m/s], shape [dof].
+/// Returns state, forces and acceleration of a structure with one contact at the displacement u [m] and velocity v
+/// [m/s], both of shape [dof]. The displacement decides whether the gap is closed or open.
 ///
-/// A gap within rounding of zero that does not open counts as closed. Throws `Error`: numerical in a Painleve
-/// configuration, input what `only_contact` refuses. Source: Elmaian et al. 2012 with the friction cone of Coulomb;
-/// docs/methods/motion.md.
+/// A gap within rounding of zero that does not open counts as closed. Throws `Error` (numerical) in a Painleve
+/// configuration and `Error` (input) for a structure that `only_contact` refuses. Source: Elmaian et al. 2012 with the
+/// friction cone of Coulomb; docs/methods/motion.md.
 Instant instant(const Structure& structure, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
                 const SurfaceMotion& surface);
 

@@ -15,7 +15,7 @@ enum class ContactState {
 inline constexpr int contact_states = 3;
 inline constexpr std::array<std::string_view, contact_states> contact_state_names{"slip", "stick", "separation"};
 
-/// The state's place in arrays of shape [contact_states].
+/// Returns the state's place in arrays of shape [contact_states].
 constexpr std::size_t index_of(ContactState state) {
     return static_cast<std::size_t>(state);
 }

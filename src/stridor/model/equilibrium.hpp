@@ -16,7 +16,7 @@ struct Equilibrium {
 /// Solves K u = f0 + sum of (n + ratio t) N with all contacts closed, g0 + n.u = 0.
 ///
 /// `ratios` [1] are T/N, shape [contact]: 0 at rest, `slip_ratio` while it slides. A negative normal force or a
-/// singular system (the divergence boundary) comes out as such; the caller decides.
+/// singular system (the divergence boundary) shows in the result; the caller decides.
 Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios);
 
 /// A state of rest or of steady sliding in which contacts may be open.
@@ -25,13 +25,13 @@ struct ClosedContacts {
     Equilibrium equilibrium;          // a normal force of zero where a contact is open
 };
 
-/// The equilibrium in which each contact is either closed with N > 0 or open with a gap: contacts are changed one at a
-/// time, the first that is violated (Murty 1974). If none is found, and for one contact, it is that of all contacts
-/// closed, some N negative.
+/// Returns the equilibrium in which each contact is either closed with N > 0 or open with a gap. Contacts are changed
+/// one at a time, the first violated one first (Murty 1974). If no such equilibrium is found, or if there is one
+/// contact, returns that of all contacts closed, with some N negative.
 ClosedContacts closed_contacts(const Structure& structure, const std::vector<double>& ratios);
 
-/// T/N of each contact [1], shape [contact], over a surface that moves with this velocity [m/s], not zero: it slips the
-/// other way.
+/// Returns T/N of each contact [1], shape [contact], over a surface that moves with this velocity [m/s], not zero. The
+/// slip is opposite to that velocity.
 std::vector<double> sliding_ratios(const Structure& structure, double surface_velocity);
 
 }  // namespace stridor::model

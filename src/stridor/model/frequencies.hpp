@@ -9,14 +9,16 @@
 
 namespace stridor::model {
 
-/// Undamped natural angular frequencies [rad/s], rising, of M u'' + K u = 0 with the motions along
+/// Returns the undamped natural angular frequencies [rad/s], rising, of M u'' + K u = 0 with the motions along
 /// `blocked` held still.
 ///
-/// The columns of `blocked` [1] are the constraints, shape [dof][constraint]; none may be zero or depend on the others.
+/// The columns of `blocked` [1] are the constraints, shape [dof][constraint]; they must be linearly independent and not
+/// zero.
 std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                                         const Eigen::MatrixXd& blocked);
 
-/// Undamped natural angular frequencies [rad/s], rising, of the structure with all its contacts held in one state.
+/// Returns the undamped natural angular frequencies [rad/s], rising, of the structure with all its contacts held in one
+/// state.
 ///
 /// Separation: all degrees of freedom free. Slip: the gaps closed, no friction (mu = 0). Stick: gaps closed and the
 /// tangential positions fixed. The constraints are n.u = 0 and t.u = 0; the rest is a symmetric eigenvalue problem.

@@ -24,17 +24,17 @@ enum class Slip {
 inline constexpr std::array<Slip, 2> slips{Slip::forward, Slip::backward};
 inline constexpr std::array<std::string_view, 2> slip_names{"forward", "backward"};
 
-/// The way's place in arrays of shape [slip].
+/// Returns the way's place in arrays of shape [slip].
 constexpr std::size_t index_of(Slip way) {
     return static_cast<std::size_t>(way);
 }
 
-/// The way a slip velocity [m/s] other than zero has.
+/// Returns the way of a slip velocity [m/s] other than zero.
 constexpr Slip slip_of(double slip_velocity) {
     return slip_velocity > 0.0 ? Slip::forward : Slip::backward;
 }
 
-/// The way in which a stuck contact gives in to the friction force [N] that holds it: against it.
+/// Returns the way in which a stuck contact begins to slip under a friction force [N]: against that force.
 constexpr Slip slip_against(double friction_force) {
     return friction_force > 0.0 ? Slip::backward : Slip::forward;
 }
@@ -70,11 +70,11 @@ struct Directional {
     bool operator==(const Directional&) const = default;
 };
 
-/// Coulomb friction whose coefficient of the slip falls linearly with the slip velocity, down to none:
+/// Coulomb friction whose kinetic coefficient falls linearly with the slip velocity, down to zero:
 ///
 ///     stick  |T| <= mu_s N        slip  T = -sign(w) max(0, mu_d - s |w|) N
 ///
-/// Falling friction feeds vibration: it damps a motion along t by -s N. Beyond |w| = mu_d/s nothing rubs any more.
+/// Falling friction feeds vibration: it damps a motion along t by -s N. Beyond |w| = mu_d/s there is no friction left.
 struct Linear {
     static constexpr auto kind = parameters::FrictionKind::linear;
 
@@ -93,46 +93,48 @@ struct Linear {
 
 using FrictionLaw = std::variant<Coulomb, Directional, Linear>;
 
-/// Its name in a case.
+/// Returns the law's kind, by which a case names it.
 inline parameters::FrictionKind kind_of(const FrictionLaw& law) {
     return std::visit([](const auto& each) { return each.kind; }, law);
 }
 
-/// Does the law keep its coefficients while the contact sticks, or slips one way?
+/// Says whether the law keeps its coefficients while the contact sticks, or slips one way.
 inline bool is_state_wise(const FrictionLaw& law) {
     return parameters::is_state_wise(kind_of(law));
 }
 
-/// Largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping that way.
+/// Returns the largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping
+/// that way.
 inline double stick_limit(const FrictionLaw& law, Slip way) {
     return std::visit([way](const auto& each) { return each.limit(way); }, law);
 }
 
-/// Friction force over normal force [1], T/N on the rubbed mass, while the contact slips that way with a slip velocity
-/// w [m/s]: against the slip, so at most 0 forward and at least 0 backward, and within the limit of the stick that way.
-/// A w that points the other way counts as 0.
+/// Returns friction force over normal force [1], T/N on the rubbed mass, while the contact slips that way with a slip
+/// velocity w [m/s]. It acts against the slip: at most 0 forward, at least 0 backward, and within the limit of the
+/// stick that way. A w that points the other way counts as 0.
 inline double slip_ratio(const FrictionLaw& law, Slip way, double slip_velocity) {
     const double sign = way == Slip::forward ? 1.0 : -1.0;
     const double speed = sign * slip_velocity > 0.0 ? sign * slip_velocity : 0.0;
     return std::visit([=](const auto& each) { return -sign * each.resistance(way, speed); }, law);
 }
 
-/// The ratio [1] of a slip that begins, w = 0; of a state-wise law that of any slip.
+/// Returns the ratio [1] of a slip that begins, w = 0. For a state-wise law that is the ratio of any slip.
 inline double slip_ratio(const FrictionLaw& law, Slip way) {
     return slip_ratio(law, way, 0.0);
 }
 
-/// Change of `slip_ratio` with the slip velocity [s/m], above zero where friction falls with the speed of slip.
+/// Returns the change of `slip_ratio` with the slip velocity [s/m], above zero where friction falls with the speed of
+/// slip.
 inline double slip_ratio_slope(const FrictionLaw& law, Slip way, double slip_velocity) {
     const double speed = way == Slip::forward ? slip_velocity : -slip_velocity;
     if (speed < 0.0) return 0.0;
     return std::visit([=](const auto& each) { return -each.resistance_slope(way, speed); }, law);
 }
 
-/// Can a contact stick with these forces [N]? Never if N < 0.
+/// Says whether a contact can stick with these forces [N]. It cannot if N < 0.
 bool holds(const FrictionLaw& law, double normal_force, double friction_force);
 
-/// The law of a case.
+/// Returns the friction law of a case's contact.
 FrictionLaw friction_law(const parameters::Contact& contact);
 
 }  // namespace stridor::model

@@ -13,7 +13,8 @@ struct PlateJoint {
     parameters::Contact contact;
 };
 
-/// Several joints on one plate: the rubbing system of Elmaian et al. (2012), Figure 1, with more than one mass 1.
+/// Returns several joints on one plate: the rubbing system of Elmaian et al. (2012), Figure 1, with more than one mass
+/// 1.
 ///
 /// Degrees of freedom: along and across the plate of each joint in turn, then the plate across, (x1, y1, x3, y3, ...,
 /// y2). Each preload presses its joint down and the plate up.

@@ -21,7 +21,7 @@ struct SizedStructure {
     Vector normal;     // [1]
     Vector tangent;    // [1]
 
-    /// The structure must have `dofs` degrees of freedom.
+    /// Copies a structure, which must have `dofs` degrees of freedom.
     SizedStructure(const Structure& structure, const ContactPoint& contact)
         : mass(structure.mass),
           damping(structure.damping),
@@ -31,12 +31,12 @@ struct SizedStructure {
           tangent(contact.tangent) {}
 };
 
-/// A size as a value whose type says it.
+/// A size as a value whose type carries it.
 template <int dofs>
 using Size = std::integral_constant<int, dofs>;
 
-/// Calls `work` with the number of degrees of freedom as a `Size`, of its own type where it is two or three: unrolled
-/// sums have an order of their own, and small systems are most of what is run.
+/// Calls `work` with the number of degrees of freedom as a `Size`, which has its own type for two and three: small
+/// systems are the usual ones, and unrolled sums add in another order.
 template <typename Work>
 auto with_size(int dofs, const Work& work) {
     if (dofs == 2) return work(Size<2>());
@@ -44,7 +44,7 @@ auto with_size(int dofs, const Work& work) {
     return work(Size<Eigen::Dynamic>());
 }
 
-/// The numbers of a vector of any size.
+/// Returns the numbers of a vector of any size.
 template <typename Vector>
 std::span<const double> numbers(const Vector& vector) {
     return {vector.data(), static_cast<std::size_t>(vector.size())};

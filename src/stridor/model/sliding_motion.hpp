@@ -8,14 +8,14 @@
 #include <complex>
 #include <vector>
 
-/// What a small disturbance does while no contact changes its state.
+/// The motion of a small disturbance while no contact changes its state.
 ///
-/// Contacts that slip hold n.u and push along b = n + ratio t; those that stick hold n.u and t.u and push along both.
-/// With the columns of Q spanning the motions that hold all of it and P = Q - R (B'R)⁻¹ B'Q, which no contact pushes,
+/// Contacts that slip hold n.u and push along b = n + ratio t. Contacts that stick hold n.u and t.u and push along
+/// both. The columns of Q span the motions that keep these held, and no contact pushes P = Q - R (B'R)⁻¹ B'Q:
 ///
 ///     P.M Q q'' + P.C Q q' + P.K Q q = 0
 ///
-/// Friction makes P.K Q unsymmetric, and of several contacts P.M Q: modes may grow.
+/// Friction makes P.K Q unsymmetric, and with several contacts P.M Q too: modes may grow.
 namespace stridor::model {
 
 /// The motion near a set of contact states, M u'' + C u' + K u = B lambda with R'u held.
@@ -24,20 +24,20 @@ struct SlidingMotion {
     Eigen::MatrixXd damping;    // [N*s/m] C
     Eigen::MatrixXd stiffness;  // [N/m] K
     Eigen::MatrixXd held;       // [1] R: n of each closed contact, and t of each that sticks; shape [dof][held]
-    Eigen::MatrixXd forces;     // [1] B: what pushes along them, shape [dof][held]
+    Eigen::MatrixXd forces;     // [1] B: the directions of the pushes along them, shape [dof][held]
 };
 
-/// The motion of a structure near these states. `ratios` [1] are T/N of those that slip; both of shape [contact]. Of a
-/// law of friction that is not state-wise `add_slopes` says the rest.
+/// Returns the motion of a structure near these contact states. `ratios` [1] are T/N of the slipping contacts; both of
+/// shape [contact]. For a friction law that is not state-wise `add_slopes` adds the rest.
 SlidingMotion sliding_motion(const Structure& structure, const std::vector<ContactState>& states,
                              const std::vector<double>& ratios);
 
-/// Adds what a change of friction with the slip velocity does near steady sliding over a surface of this velocity
-/// [m/s], pressed by these normal forces [N], shape [contact]: dT = N dr/dw dw damps the motion along t by -N dr/dw.
+/// Adds the effect of friction that changes with the slip velocity, near steady sliding over a surface of this velocity
+/// [m/s] with these normal forces [N], shape [contact]: dT = N dr/dw dw damps the motion along t by -N dr/dw.
 void add_slopes(SlidingMotion& motion, const Structure& structure, const std::vector<ContactState>& states,
                 double surface_velocity, const Eigen::VectorXd& normal_forces);
 
-/// Does each motion that the contacts allow move some mass? A row without any may be held by a contact.
+/// Says whether each motion that the contacts allow moves some mass. A contact may hold a row without mass.
 bool has_inertia(const SlidingMotion& motion);
 
 /// A motion in first order, z' = A z: z holds the positions in the directions Q, in units of a velocity, then the
@@ -48,11 +48,11 @@ struct FirstOrderMotion {
 };
 FirstOrderMotion first_order(const SlidingMotion& motion);
 
-/// Its eigenvalues [1/s], 2 (dofs - held) of them, complex ones in conjugate pairs.
+/// Returns the eigenvalues of the motion [1/s], 2 (dofs - held) of them, complex ones in conjugate pairs.
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
 
-/// A growth up to which eigenvalues say nothing [1/s]: an undamped mode's real part comes out as rounding of the
-/// largest.
+/// Returns a growth up to which eigenvalues say nothing [1/s]: the real part of an undamped mode is rounding of the
+/// largest eigenvalue.
 double growth_rounding(const std::vector<std::complex<double>>& eigenvalues);
 
 }  // namespace stridor::model

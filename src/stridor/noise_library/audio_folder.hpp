@@ -15,10 +15,10 @@
 ///
 /// A file comes in four steps: it is written to `incoming` and flushed; the library's write lock is taken; the file is
 /// renamed to its own name; the row that names it is committed. So a row never lacks its file. A process that dies in
-/// between leaves a file without a row, and its marker: a file in `incoming` that lists what it was about to do, that
-/// it had locked, and that the system unlocked. Whoever opens the library next finds a marker without an owner and
-/// removes the audio it lists that no row has, under the write lock, where no living process can be between the last
-/// two steps. No other audio is ever removed: it may belong to a newer copy of the database than the one at hand.
+/// between leaves a file without a row, and its marker: a file in `incoming` that lists the planned audio. The process
+/// had locked it, and the system unlocked it. The next process that opens the library finds a marker without an owner
+/// and removes the listed audio that no row has, under the write lock, when no living process can be between the last
+/// two steps. No other audio is ever removed: it may belong to a newer copy of the database.
 namespace stridor::noise_library {
 
 /// Audio by its content.
@@ -30,32 +30,33 @@ struct AudioName {
     auto operator<=>(const AudioName&) const = default;
 };
 
-/// Is it a digest and an extension, such as `format_of` gives?
+/// Says whether it is a digest and an extension, such as `format_of` returns.
 bool is_audio_name(const AudioName& name);
 
-/// "ab/abcdef....wav"; throws `Error` (io) for what is no audio name.
+/// Returns "ab/abcdef....wav"; throws `Error` (io) for an invalid audio name.
 std::filesystem::path path_of(const AudioName& name);
 
-/// The extension of a file as a library keeps it: lower case, at most eight letters and digits; "audio" if it has none.
+/// Returns the extension of a file as a library keeps it: lower case, at most eight letters and digits; "audio" if it
+/// has none.
 std::string format_of(const std::filesystem::path& file);
 
-/// A process' sign that it is changing the audio: a locked file that lists which. It stays behind, without its owner,
-/// where the process dies, or where it ends between `announce` and `release`.
+/// A process' sign that it is changing the audio: a locked file that lists the audio. It stays behind without its owner
+/// if the process dies, or if the marker ends between `announce` and `release`.
 class Marker {
 public:
-    /// Makes the folders that are missing. Throws `Error` (io).
+    /// Makes the missing folders. Throws `Error` (io).
     explicit Marker(const std::filesystem::path& audio_folder);
     ~Marker();
     Marker(const Marker&) = delete;
     Marker& operator=(const Marker&) = delete;
 
-    /// This audio may be left over from here on; on the disk when it returns.
+    /// Lists audio that may be left over from here on; the list is on the disk when this returns.
     void announce(const std::set<AudioName>& names);
 
-    /// Nothing is left over.
+    /// Declares that no audio is left over.
     void release() { is_held_ = false; }
 
-    /// A new name for a temporary file of this process.
+    /// Returns a new name for a temporary file of this process.
     std::filesystem::path temporary();
 
 private:
@@ -65,29 +66,29 @@ private:
     bool is_held_ = false;
 };
 
-/// Gives the next bytes of a file in pieces, and nothing at its end.
+/// Returns the next bytes of a file, and an empty piece at its end.
 using Pieces = std::function<std::string_view()>;
 
-/// Audio that is on the disk and hashed, and not yet in its place.
+/// Audio that is on the disk and hashed, but not in its place yet.
 struct Staged {
     AudioName name;
     std::uint64_t size = 0;  // [bytes]
     storage::NewFile file;
 };
 
-/// Brings audio in. What is staged and not placed is gone with it.
+/// Brings audio into a library. Staged audio that is not placed is removed at the end.
 class Intake {
 public:
-    /// Brings it into this folder.
+    /// Brings audio into this folder.
     explicit Intake(std::filesystem::path audio_folder);
 
-    /// Copies audio and hashes it. Throws `Error` (io) where there is no room.
+    /// Copies audio and hashes it. Throws `Error` (io) if there is no room.
     Staged stage(const std::string& format, const Pieces& pieces);
 
-    /// Gives those of the staged that are needed their names. Needs the library's write lock.
+    /// Gives the needed ones of the staged files their names. Needs the library's write lock.
     void place(std::span<Staged> staged, const std::set<AudioName>& needed);
 
-    /// The rows are committed.
+    /// Declares that the rows are committed.
     void settle() { marker_.release(); }
 
 private:
@@ -95,17 +96,17 @@ private:
     Marker marker_;
 };
 
-/// Are the bytes of a file those of its name? Throws `Error` (io) where it cannot be read.
+/// Says whether the bytes of a file match its name. Throws `Error` (io) if it cannot be read.
 bool is_whole(const std::filesystem::path& file, const AudioName& name);
 
-/// Did a process die while it changed the audio?
+/// Says whether a process died while it changed the audio.
 bool has_leftovers(const std::filesystem::path& audio_folder);
 
-/// Removes what dead processes left: temporary files, and audio they announced that no entry has. Needs the library's
-/// write lock.
+/// Removes the remains of dead processes: temporary files, and the audio they listed that no entry has. Needs the
+/// library's write lock.
 void clear_leftovers(const std::filesystem::path& audio_folder, const std::function<bool(const AudioName&)>& is_used);
 
-/// The bytes of a file in pieces; throws `Error` (io) with what the user calls it.
+/// Reads the bytes of a file in pieces; throws `Error` (io) with the user's name of the file.
 class FilePieces {
 public:
     /// Opens the file.
@@ -114,7 +115,7 @@ public:
     FilePieces(const FilePieces&) = delete;
     FilePieces& operator=(const FilePieces&) = delete;
 
-    /// The next piece, valid until the next call; empty at the end.
+    /// Returns the next piece, valid until the next call; empty at the end.
     std::string_view operator()();
 
 private:

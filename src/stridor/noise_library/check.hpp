@@ -12,24 +12,24 @@
 #include <string>
 #include <vector>
 
-/// Finding what is damaged in a library, and saving what is not.
+/// Finds damage in a library, and saves the intact entries.
 namespace stridor::noise_library {
 
-/// An entry that is there no more, or not as it was written, as far as an index still tells of it.
+/// An entry that is lost or changed, as far as an index still tells of it.
 struct LostEntry {
     std::int64_t id = 0;
-    std::string digest{};  // of all it said; may be empty
+    std::string digest{};  // of all its content; may be empty
 };
 
-/// What the database of a library holds, damaged or not.
+/// The content of a library's database, damaged or not.
 struct Saved {
-    std::vector<Entry> entries;        // those that say what was written, by id
+    std::vector<Entry> entries;        // those that are as they were written, by id
     std::vector<LostEntry> lost;       // by id
-    std::int64_t last_id = 0;          // ids up to here were given
+    std::int64_t last_id = 0;          // the highest id that was given
     std::vector<std::string> damages;  // of its pages and their structure, in words
 };
 
-/// A sound without the bytes of its name.
+/// A sound whose bytes do not match its name.
 struct DamagedSound {
     AudioName name;
     std::vector<std::int64_t> entries{};  // that have it
@@ -43,25 +43,25 @@ struct Findings {
     std::vector<DamagedSound> damaged_sounds;
 };
 
-/// Was nothing found damaged or lost?
+/// Says whether nothing was found damaged or lost.
 bool is_sound(const Findings& findings);
 
-/// Looks at each page, each entry and each sound of a library. Changes nothing. Throws `Error` where it is none, or in
-/// use.
+/// Checks each page, each entry and each sound of a library. Changes nothing. Throws `Error` if the file is not a
+/// library, or is in use.
 Findings check(const std::filesystem::path& file, const LibraryOptions& options = {});
 
-/// Sounds in the folder beside a library that none of these entries has, whole ones only.
+/// Returns the whole sounds in the folder beside a library that none of these entries has.
 std::vector<AudioName> sounds_without_entry(const std::filesystem::path& audio_folder, std::span<const Entry> entries);
 
-/// Writes the database of a library anew with these entries, those without an id getting new ones beyond `last_id`.
-/// The file as it was is kept beside it; its name is returned. Whoever calls sees to it that nobody uses the library
-/// meanwhile, as far as that is possible with a damaged one.
+/// Writes the database of a library anew with these entries; those without an id get new ones beyond `last_id`. The old
+/// file is kept beside it under the returned name. The caller must ensure that nobody uses the library meanwhile, as
+/// far as that is possible with a damaged one.
 std::filesystem::path replace_database(const std::filesystem::path& file, std::span<const Entry> entries,
                                        std::int64_t last_id);
 
-/// What the database of a library holds, read from a copy where it is: a page without its checksum is read as it
-/// stands, and each entry is held against its digest. A first page that lost its checksum is replaced by that of a new
-/// library, whose tables begin at the same pages. Throws `Error` where it is no library, or in use.
+/// Returns the content of a library's database, read from a copy: a page without its checksum is read as it stands, and
+/// each entry is compared with its digest. A first page without a valid checksum is replaced by that of a new library,
+/// whose tables begin at the same pages. Throws `Error` if it is not a library, or is in use.
 Saved saved_from(const std::filesystem::path& file, const LibraryOptions& options);
 
 }  // namespace stridor::noise_library

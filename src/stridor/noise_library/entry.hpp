@@ -7,7 +7,7 @@
 
 namespace stridor::noise_library {
 
-/// What a quantity is that nobody wrote down.
+/// The value of a quantity that was never written down.
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A number that describes a sound: "level", 62.4, "dB".
@@ -18,13 +18,13 @@ struct Figure {
     bool operator==(const Figure&) const = default;
 };
 
-/// The figures by which `sensitivity` tells how a noise moves, where an entry has them.
+/// The figures from which `sensitivity` tells how a noise changes, if an entry has them.
 inline constexpr const char* level_figure = "level";
 inline constexpr const char* frequency_figure = "dominant_frequency";
 
 /// One noise of the library. Text that is empty and quantities that are `unknown` were never written down.
 ///
-/// What each member means, its name for users and its unit stand in `fields()`.
+/// The meaning of each member, its name for users and its unit stand in `fields()`.
 struct Entry {
     std::int64_t id = 0;  // [1] given by the library, never used twice; 0 outside of one
 

@@ -11,26 +11,26 @@
 #include <string>
 #include <vector>
 
-/// What files, rigs and cases say of a sound, in their own words, as fields of its entry.
+/// Fills fields of an entry from the words of files, rigs and cases about a sound.
 namespace stridor::noise_library {
 
-/// Fills an entry where nobody said anything, and remembers with what.
+/// Fills empty fields of an entry, and remembers which.
 class EntryFiller {
 public:
-    /// The entry must outlive it.
+    /// Begins with an entry, which must outlive this object.
     explicit EntryFiller(Entry& entry) : entry_(&entry) {}
 
-    /// A name as people write it ("Normal load [N]", "temp") and its text; what is no field of the user's is passed by,
-    /// what cannot be read is remembered.
+    /// Takes a name as people write it ("Normal load [N]", "temp") and its text. A name that is not a field of the
+    /// user's is ignored; a text that cannot be read is remembered.
     void take(const std::string& name, const std::string& text);
 
-    /// A quantity in the field's unit; one that is not finite is passed by.
+    /// Takes a quantity in the field's unit; one that is not finite is ignored.
     void take(const char* name, double value);
 
-    /// A line of several, as ID lines of a UFF file have them: "preload: 20 N; temperature = 23 degC".
+    /// Takes a line of several, as ID lines of a UFF file have them: "preload: 20 N; temperature = 23 degC".
     void take_line(const std::string& line);
 
-    /// Sentences on what was taken from `source`, and on what was not understood; may be none.
+    /// Returns sentences on the fields taken from `source`, and on texts that were not understood; may be empty.
     std::vector<std::string> notes(const std::string& source) const;
 
 private:
@@ -41,23 +41,23 @@ private:
     std::vector<std::string> misread_{};
 };
 
-/// The greatest velocity of a drive [m/s] to six digits, for 2 pi f A has no short text; unknown of a sampled one.
+/// Returns the greatest velocity of a drive [m/s] to six digits, for 2 pi f A has no short text; `unknown` for a
+/// sampled one.
 double peak_velocity(const parameters::Drive& drive);
 
-/// "constant", "sinusoidal 5 Hz"; empty for a sampled drive.
+/// Returns "constant", "sinusoidal 5 Hz"; empty for a sampled drive.
 std::string profile_of(const parameters::Drive& drive);
 
-// What of a sound becomes figures of an entry: to six digits, which is more than any recording has and prints the same
-// everywhere.
+// The figures of an entry, to six digits, which is more than any recording has and prints the same everywhere.
 
-/// Level, frequency, features and impulses of the loudest segment of the recording's category; loudness, sharpness
-/// and roughness of a sound pressure as a whole. Silence has a level at most.
+/// Returns level, frequency, features and impulses of the loudest segment of the recording's category; loudness,
+/// sharpness and roughness of a sound pressure as a whole. Silence has a level at most.
 std::vector<Figure> figures_of(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
 
-/// Friction coefficients and force drops.
+/// Returns friction coefficients and force drops as figures.
 std::vector<Figure> figures_of(const analysis::FrictionFigures& found);
 
-/// Adds those that the entry has not: what a person wrote stays.
+/// Adds the figures that the entry lacks: those written by a person stay.
 void add_missing(Entry& entry, std::span<const Figure> figures);
 
 }  // namespace stridor::noise_library

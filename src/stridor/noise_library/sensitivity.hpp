@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
-/// How a noise moves over a quantity across the records of a library: a test rig's question.
+/// How a noise changes over a quantity across the records of a library: the question of a test rig.
 ///
 /// The rank correlation (Spearman 1904) is Pearson's coefficient of the ranks, equal values sharing the mean of their
-/// ranks. It is 1 where one quantity never falls while the other rises, -1 where it never rises, and looks at order
-/// alone, so a bent but steady relation counts in full. Its p-value is the share of all ways to pair the values anew
-/// that correlate at least as strongly in either direction: counted one by one up to 8 records, beyond that estimated
-/// by 9999 pairings drawn from a fixed seed. Small means that chance alone seldom does it; it does not mean that the
-/// quantity is the cause, for quantities that were varied together cannot be told apart.
+/// ranks. It is 1 if one quantity never falls while the other rises, -1 if it never rises. It depends on order alone,
+/// so a bent but steady relation counts in full. Its p-value is the share of all pairings of the values that correlate
+/// at least as strongly in either direction: counted one by one up to 8 records, beyond that estimated by 9999 pairings
+/// drawn from a fixed seed. A small p-value means that chance alone seldom does it; it does not mean that the quantity
+/// is the cause, for quantities that were varied together cannot be distinguished.
 namespace stridor::noise_library {
 
-/// Whose word for the noise is counted.
+/// The source of the category: Stridor's verdict or the engineer's word.
 enum class Judge { stridor, engineer };
 
 /// One record.
@@ -54,7 +54,7 @@ struct Bin {
     double frequency = unknown;             // [Hz] median
 };
 
-/// Where along the quantity a category occurs.
+/// The range of the quantity in which a category occurs.
 struct CategoryRange {
     std::string category;
     std::size_t records = 0;
@@ -63,11 +63,11 @@ struct CategoryRange {
     double highest = unknown;
 };
 
-/// How category, level and frequency of records move over a quantity.
+/// The change of category, level and frequency of records over a quantity.
 struct Sensitivity {
     std::string quantity;
     std::string unit;
-    std::string level_unit;                 // of the records' figure; "mixed" where they differ
+    std::string level_unit;                 // of the records' figure; "mixed" if they differ
     std::vector<Observation> records;       // by quantity, then id
     std::size_t left_out = 0;               // records in which the quantity is unknown
     std::vector<CategoryRange> categories;  // Stridor's five in their order, then the engineer's own words
@@ -84,18 +84,18 @@ struct SensitivityOptions {
     Judge judge = Judge::stridor;
 };
 
-/// The sensitivity over entries that were read with their figures.
+/// Returns the sensitivity over entries that were read with their figures.
 Sensitivity sensitivity(std::span<const Entry> entries, const SensitivityOptions& options);
 
-/// The unit of a field or figure that is a number, which records can be laid out over; throws `Error` (input) for any
-/// other name.
+/// Returns the unit of a field or figure that is a number, over which records can be plotted; throws `Error` (input)
+/// for any other name.
 std::string unit_over(Library& library, const std::string& name);
 
-/// The sensitivity over the entries of a library that meet a query, in the quantity's own unit. Throws `Error` (input)
-/// for what is no quantity, and where no record knows it.
+/// Returns the sensitivity over the entries of a library that meet a query, in the quantity's own unit. Throws `Error`
+/// (input) if the name is not a quantity, and if no record has it.
 Sensitivity sensitivity_in(Library& library, Query query, SensitivityOptions options);
 
-/// Spearman's coefficient of pairs, with its p-value; a pair in which a value is unknown is left out. Equal shapes.
+/// Returns Spearman's coefficient of pairs, with its p-value; a pair with an unknown value is left out. Equal shapes.
 RankCorrelation rank_correlation(std::span<const double> x, std::span<const double> y);
 
 }  // namespace stridor::noise_library

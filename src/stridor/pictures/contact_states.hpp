@@ -16,11 +16,12 @@ struct StatesOfCase {
     std::vector<record::ContactHistory> histories;  // shape [contact]
 };
 
-/// Contact states over time, a panel per case, over one stretch of time [s] (Elmaian et al. 2012, Figure 7). Above each
-/// panel stand the case's name and parameters.
+/// Draws contact states over time, a panel per case, over one stretch of time [s] (Elmaian et al. 2012, Figure 7).
+/// Above each panel stand the case's name and parameters.
 drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing::Extent& time);
 
-/// A panel with the three rows slip, stick and separation for each contact; its x axis is time over a range [s].
+/// Returns a panel with the three rows slip, stick and separation for each contact; its x axis is time over a range
+/// [s].
 drawing::Panel state_panel(std::span<const record::ContactHistory> histories, const drawing::Extent& time);
 
 }  // namespace stridor::pictures

@@ -8,18 +8,19 @@
 
 namespace stridor::record {
 
-/// Counts what the contacts of one interface do at the same time, in the judged part of each phase.
+/// Counts the common states of the contacts of one interface, in the judged part of each phase.
 ///
 /// A change of one of p contacts costs O(p), a run O(p²) numbers, whatever its length.
 class InterfaceCounter {
 public:
-    /// Of these contacts of the structure, in rising order.
+    /// Counts these contacts of the structure, in rising order.
     InterfaceCounter(const Schedule& schedule, std::vector<std::size_t> contacts);
 
-    /// A contact of the structure enters a state at `time` [s], which never decreases. Others' contacts are ignored.
+    /// Notes that a contact of the structure enters a state at `time` [s], which never decreases. Contacts of other
+    /// interfaces are ignored.
     void enter(std::size_t number, model::ContactState state, double time);
 
-    /// Ends the count at `time` [s]; shape [phase], in the schedule's order.
+    /// Ends the count at `time` [s] and returns the tallies; shape [phase], in the schedule's order.
     std::vector<InterfaceTally> finish(double time);
 
 private:
@@ -50,8 +51,8 @@ private:
     std::vector<InterfaceTally> tallies_;
 };
 
-/// A counter for each interface with several contacts. `interfaces` is the number of each contact's interface; below 0
-/// or empty: the contact is one by itself.
+/// Returns a counter for each interface with several contacts. `interfaces` is the number of each contact's interface;
+/// below 0 or empty: the contact is an interface by itself.
 std::vector<InterfaceCounter> interface_counters(const Schedule& schedule, const std::vector<int>& interfaces);
 
 }  // namespace stridor::record

@@ -10,10 +10,10 @@
 
 namespace stridor::record {
 
-/// Are all changes of contact state kept?
+/// Whether all changes of contact state are kept.
 enum class KeepHistory { no, yes };
 
-/// What to keep of a run besides the tallies, which are always kept.
+/// The parts of a run to keep besides the tallies, which are always kept.
 struct Request {
     KeepHistory history = KeepHistory::no;
     TraceRequest trace;
@@ -22,49 +22,48 @@ struct Request {
 /// Most contact states that all histories hold together: 160 MB.
 inline constexpr std::size_t most_history = 4'000'000;
 
-/// All that is kept of a run.
+/// All kept data of a run.
 struct Record {
     std::vector<Tally> phases;              // in the schedule's order
-    std::vector<ContactHistory> histories;  // shape [contact]; each empty unless asked for
-    Trace trace;                            // without samples unless asked for
+    std::vector<ContactHistory> histories;  // shape [contact]; each empty unless requested
+    Trace trace;                            // without samples unless requested
 };
 
-/// Takes what an engine tells it and keeps what was asked for.
+/// Records what an engine tells, as far as it was requested.
 ///
-/// The engine says `enter` at each change of state of a contact, `vibrate` for each stretch between two span
-/// boundaries, `load` likewise, `sample` for each sample of a trace and `finish` once.
-/// The times of a contact never decrease.
+/// The engine calls `enter` at each change of state of a contact, `vibrate` and `load` for each stretch between two
+/// span boundaries, `sample` for each sample of a trace and `finish` once. The times of a contact never decrease.
 class Recorder {
 public:
-    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure, `channels` those of its
-    /// vibration: one per degree of freedom where they are not told. `interfaces` says to which interface each contact
-    /// belongs (`model::ContactPoint::interface`); empty: each to its own.
+    /// Begins a record. `request` may ask for a trace; `dofs` and `contacts` are those of the structure, `channels`
+    /// those of its vibration; 0: one per degree of freedom. `interfaces` gives the interface of each contact
+    /// (`model::ContactPoint::interface`); empty: one each.
     Recorder(Schedule schedule, Request request, int dofs, int contacts = 1, int channels = 0,
              const std::vector<int>& interfaces = {});
 
-    /// The schedule of the run.
+    /// Returns the schedule of the run.
     const Schedule& schedule() const { return schedule_; }
-    /// What was asked for.
+    /// Returns the request.
     const Request& request() const { return request_; }
 
-    /// A contact enters a state at its `from`; `to` is ignored.
+    /// Notes that a contact enters a state at its `from`; `to` is ignored.
     void enter(std::size_t contact, const ContactInterval& interval);
 
     /// Adds the vibration of a stretch of time that lies within span number `span`; shape [channel].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
 
-    /// Adds what the contacts carried in a stretch of time that lies within span number `span`; shape [contact]. Of
-    /// structures with one contact only the largest normal force.
+    /// Adds the load of the contacts in a stretch of time that lies within span number `span`; shape [contact]. In
+    /// structures with one contact it is only the largest normal force.
     void load(std::size_t span, std::span<const Load> loads);
 
-    /// When the contact entered its present state [s].
+    /// Returns when the contact entered its present state [s].
     double since(std::size_t contact) const { return places_[contact].current.from; }
 
     /// Takes a sample of the trace.
     void sample(const Sample& sample);
 
-    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it for each contact:
-    /// shape [contact]; an empty list says that nothing is known. Throws `Error` (input) if histories were asked for
+    /// Ends the record at `time` [s] and returns it, with the engine's knowledge of the time after it for each contact:
+    /// shape [contact]; an empty list says that nothing is known. Throws `Error` (input) if histories were requested
     /// and did not fit.
     Record finish(double time, const std::vector<Outlook>& outlooks = {});
 

@@ -123,13 +123,13 @@ struct CoarserTally {
     Changes changes;
 };
 
-/// Into so many equal parts a stretch of judged time is cut, so that they may be held against each other.
+/// The number of equal parts into which a stretch of judged time is cut, so that they can be compared.
 inline constexpr std::size_t stretch_parts = 8;
 
 /// Times of a contact in each state, for each part of one judged stretch [s]: of a phase without its ends.
 using StretchTimes = std::array<std::array<double, model::contact_states>, stretch_parts>;
 
-/// So many of the latest stretches are kept.
+/// The number of latest stretches that are kept.
 inline constexpr std::size_t kept_stretches = 8;
 
 /// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most, 2.4 MB of two steps),
@@ -141,7 +141,7 @@ struct ContactTally {
     long releases = 0;                                        // [1] sticks that ended, whole phase
     Load load;                                                // judged part; of one contact alone only the largest N
     double preload = 0.0;                                     // [N] N at rest; 0: not known, or open there
-    Ending ending;                                            // of the run: the same for all its phases
+    Ending ending;                                            // of the run: one for all its phases
     std::optional<CoarserTally> coarser{};                    // of an engine that compares two steps
     std::vector<StretchTimes> stretches{};                    // the latest complete ones, in time
     long judged_stretches = 0;                                // [1] complete ones, kept or not

@@ -50,19 +50,19 @@ struct Sample {
     std::span<const ContactSample> contacts;
 };
 
-/// A trace without samples of so many degrees of freedom and contacts.
+/// Returns a trace without samples for these numbers of degrees of freedom and contacts.
 Trace empty_trace(int dofs, int contacts = 1);
 
 /// Adds an instant at the end. It must have as many degrees of freedom and contacts as the trace.
 void append(Trace& trace, const Sample& sample);
 
-/// Adds the motion of points to that of the degrees of freedom, behind it: weights.u for each, shape [point][dof].
+/// Appends the motion of points to that of the degrees of freedom: weights.u for each, shape [point][dof].
 void add_points(Trace& trace, const std::vector<std::vector<double>>& weights);
 
-/// Takes the samples away; the memory stays.
+/// Removes the samples; the memory stays.
 void clear(Trace& trace);
 
-/// Most samples that a taker is handed at a time.
+/// The largest number of samples that a taker receives at a time.
 inline constexpr std::size_t trace_block = 4096;
 
 /// When to sample a trace. Engines sample at their own steps nearest to the asked ones.
@@ -70,7 +70,7 @@ struct TraceRequest {
     double from = 0.0;      // [s]
     double to = 0.0;        // [s]
     double interval = 0.0;  // [s] between samples; 0: no trace
-    // is handed the trace in blocks, in order, while the run goes on; the record then keeps none of it
+    // receives the trace in blocks, in order, while the run goes on; the record then keeps no part of it
     std::function<void(const Trace&)> taker{};
 };
 
@@ -114,7 +114,7 @@ inline constexpr std::array<ContactColumn, 3> contact_columns{
 /// Contact states are words, and have a column of their own for each contact.
 inline constexpr std::string_view state_column = "state";
 
-/// What is put behind the name of a column of contact `index` of `contacts`: nothing for the only one, else "_1", "_2".
+/// Returns the ending of a column's name for contact `index` of `contacts`: empty for the only one, else "_1", "_2".
 std::string contact_ending(std::size_t index, std::size_t contacts);
 
 /// A column of numbers of a trace as it stands in a table.
@@ -124,8 +124,8 @@ struct NumberColumn {
     const std::vector<double>* samples = nullptr;
 };
 
-/// All columns of numbers, in the order of tables: time, those of the degrees of freedom by these names, the surface's,
-/// those of each contact. They point into the trace.
+/// Returns all columns of numbers, in the order of tables: time, those of the degrees of freedom by these names, the
+/// surface's, those of each contact. They point into the trace.
 std::vector<NumberColumn> columns(const Trace& trace, std::span<const std::string> dofs);
 
 }  // namespace stridor::record

@@ -14,33 +14,34 @@ namespace stridor::recordings {
 
 /// A line of a text.
 struct TextLine {
-    std::string_view text;     // without its end; valid until the next one is read
+    std::string_view text;     // without its end; valid until the next line is read
     int number = 0;            // [1] counted from where reading began
     std::uint64_t offset = 0;  // [bytes] of its first character
 };
 
-/// Where in a file a line, and in it a character, stands.
+/// Returns the place of a line in a file, and of a character in the line.
 base::Place place_of(const std::string& file, const TextLine& line, int column);
 
-/// The lines of a long text, one after the other; ends may be LF, CR LF or CR.
+/// The lines of a long text, one after the other; they end in LF, CR LF or CR.
 ///
-/// It holds one block of the text, and refuses lines of more than `longest` bytes: no table has them, other files do.
+/// It holds one block of the text, and refuses lines of more than `longest` bytes: no table has them, but other files
+/// do.
 class LineReader {
 public:
     static constexpr std::size_t longest = 1U << 16U;  // [bytes]
 
-    /// Reads from `offset` on, whose line has the number `number`; `name` is the file's, for messages.
+    /// Reads from `offset` on, where line `number` begins; `name` is the file's, for messages.
     LineReader(std::shared_ptr<const Bytes> bytes, std::string name, std::uint64_t offset = 0, int number = 1);
 
-    /// The next line; nothing at the end. Throws `Error` (input) for a line that is too long.
+    /// Returns the next line, or `std::nullopt` at the end. Throws `Error` (input) for a line that is too long.
     std::optional<TextLine> next();
 
-    /// Where the next line begins [bytes].
+    /// Returns the place at which the next line begins [bytes].
     std::uint64_t offset() const { return start_ + begin_; }
-    /// The number of the next line.
+    /// Returns the number of the next line.
     int number() const { return number_; }
 
-    /// What messages call the text.
+    /// Returns the name of the text in messages.
     const std::string& name() const { return name_; }
 
 private:
@@ -55,10 +56,10 @@ private:
     int number_;
 };
 
-/// A number as Fortran prints it: "1.5D-05", "-.5E+3", "1.0-105"; nothing for any other text.
+/// Returns a number as Fortran prints it: "1.5D-05", "-.5E+3", "1.0-105"; `std::nullopt` for any other text.
 std::optional<double> fortran_number(std::string_view text);
 
-/// Splits at blanks.
+/// Splits a line at blanks.
 std::vector<std::string_view> words(std::string_view line);
 
 }  // namespace stridor::recordings

@@ -12,55 +12,55 @@
 
 namespace stridor::recordings {
 
-/// An error (input) in a file that is read, where it stands.
+/// Returns an error (input) at a place in a file.
 inline base::Error refusal(base::Place place, std::string what, std::string why = "", std::string suggestion = "") {
     return {base::ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, std::move(place)};
 }
 
-/// The same where only the file is known.
+/// Returns an error (input) in a file, if the place in it is not known.
 inline base::Error refusal(const std::string& file, std::string what, std::string why = "",
                            std::string suggestion = "") {
     return refusal(base::Place{file, 0, 0, ""}, std::move(what), std::move(why), std::move(suggestion));
 }
 
-/// What only the samples of a recording can tell, and its reader has not looked for.
+/// Doubts about the samples of a recording that its reader has not examined.
 enum class Doubt {
-    none,                 // whole numbers, or the reader has looked
-    numbers,              // some may be none: overloads, NaN
-    numbers_and_counters  // and nothing tells a counter from a signal
+    none,                 // whole numbers, or the reader has examined them
+    numbers,              // some may be invalid: overloads, NaN
+    numbers_and_counters  // also, no name distinguishes a counter from a signal
 };
 
-/// What one format's reader makes of a file: the numbers as they stand in it. `open_signal` gives them their units.
+/// The numbers of a file, as the reader of its format finds them. `open_signal` gives them their units.
 struct RawSignal {
     std::unique_ptr<signal::Source> source{};  // units: the file's own words, empty where it has none
     std::string format{};                      // "WAV (Microsoft), Signed 24 bit PCM"
     std::string description{};                 // free text that may hold a calibration; may be empty
-    std::vector<std::string> notes{};          // what the user should know of how it was read
+    std::vector<std::string> notes{};          // how it was read, for the user
     Doubt doubt = Doubt::none;
-    std::string time{};                   // what was taken for the time: column 1, "t" in ms; empty: a rate
-    std::vector<std::string> left_out{};  // what is in the file and no channel, with the reason
-    std::vector<std::pair<std::string, std::string>> metadata{};  // what else the file says of itself
+    std::string time{};                   // the column of times: column 1, "t" in ms; empty: a rate
+    std::vector<std::string> left_out{};  // content of the file that is no channel, with the reason
+    std::vector<std::pair<std::string, std::string>> metadata{};  // further facts in the file
 };
 
-/// A file that is to be read.
+/// A file to be read.
 struct SignalInput {
     std::shared_ptr<const Bytes> bytes;
     std::string name{};                    // for messages
     std::optional<std::string> sidecar{};  // text of the JSON file beside it
 };
 
-/// What keeps a channel from being a signal.
+/// A fault that keeps a channel from being a signal.
 enum class FaultKind { none, no_samples, counter };
 
-/// Why a channel is no signal.
+/// The reason why a channel is not a signal.
 struct ChannelFault {
     FaultKind kind = FaultKind::none;
     std::string why{};  // "is nan in sample 78", "grows by the same step in every sample, as a counter does"
 };
 
-/// Reads a source to its end, and tells of each channel why it is no signal, shape [channel].
+/// Reads a source to its end, and returns the fault of each channel, shape [channel].
 ///
-/// Counters are whole numbers, 32 at the least. Throws as the source does.
+/// A counter consists of at least 32 whole numbers. Throws as the source does.
 std::vector<ChannelFault> channel_faults(signal::Source& source);
 
 }  // namespace stridor::recordings

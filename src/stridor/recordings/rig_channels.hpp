@@ -8,53 +8,53 @@
 #include <string>
 #include <vector>
 
-/// What the channels of a rig's measurement are.
+/// The meaning of the channels in a rig's measurement.
 namespace stridor::recordings {
 
-/// Places of the channels that a friction trace is made of.
+/// The places of the channels for a friction trace.
 struct FrictionChannels {
     std::size_t force = 0;
     std::optional<std::size_t> velocity{};
     std::optional<std::size_t> normal{};
 };
 
-/// Forces by what they do: those that say "normal", "preload" or "load" press, the others rub.
+/// The forces by their use: those named "normal", "preload" or "load" press, the others rub.
 struct Forces {
     std::vector<std::size_t> rubbing{};
     std::vector<std::size_t> pressing{};
 };
 
-/// The channels in N, by their names.
+/// Returns the channels in N, sorted by their names.
 Forces forces_of(const signal::ChannelLayout& layout);
 
-/// The imposed velocity: the channel that says "surface", or the only one in m/s.
+/// Returns the imposed velocity, or `std::nullopt`: the channel named "surface", or the only one in m/s.
 std::optional<std::size_t> imposed_velocity(const signal::ChannelLayout& layout);
 
-/// The channels of a file that has one friction force, as they say themselves; nothing for any other.
+/// Returns the channels of a file with one friction force, by their own names; `std::nullopt` for any other file.
 std::optional<FrictionChannels> friction_channels(const signal::ChannelLayout& layout);
 
-/// What a user calls the channels of a friction trace: names or numbers from 1; empty: as the channels say themselves.
+/// A user's names of the channels of a friction trace, or numbers from 1; empty: by the channels' own names.
 struct FrictionChannelNames {
     std::string force{};
     std::string velocity{};
     std::string normal{};
 };
 
-/// The channels that are named, else what they say themselves. Throws `Error` (input) where the friction force is not
-/// clear, for a channel that is not there and for one of another unit.
+/// Returns the named channels, else those found by their own names. Throws `Error` (input) if the friction force is not
+/// clear, for a channel that does not exist and for one of another unit.
 FrictionChannels friction_channels(const signal::ChannelLayout& layout, const FrictionChannelNames& named);
 
-/// The channels that may be heard: sound pressures; without any accelerations, then what is not calibrated, then
-/// velocities but the imposed one. A force is no sound.
+/// Returns the channels that may be heard: sound pressures; without any, accelerations, then uncalibrated channels,
+/// then velocities but the imposed one. A force is not a sound.
 std::vector<std::size_t> audible_channels(const signal::ChannelLayout& layout);
 
-/// The usual speed [m/s] of a measured velocity: its 95th percentile.
+/// Returns the usual speed [m/s] of a measured velocity: its 95th percentile.
 double usual_speed(std::span<const double> velocity);
 
-/// Some channels of a source, in the order wanted.
+/// Some channels of a source, in the requested order.
 class PickedChannels final : public signal::Source {
 public:
-    /// The source must outlive it.
+    /// Picks channels. The source must outlive this object.
     PickedChannels(signal::Source& source, std::vector<std::size_t> places);
 
     const signal::ChannelLayout& layout() const override { return layout_; }

@@ -10,7 +10,7 @@
 
 namespace stridor::reduction {
 
-/// Rows in their new order: where each old row went.
+/// Rows in their new order, and the new place of each old row.
 struct Parting {
     std::vector<Eigen::Index> boundary;
     std::vector<Eigen::Index> interior;
@@ -18,10 +18,10 @@ struct Parting {
     std::vector<char> is_boundary;
 };
 
-/// Either kind of rows.
+/// The two kinds of rows.
 enum class RowKind { interior, boundary };
 
-/// The block of a matrix between rows and columns of some kind.
+/// Returns the block of a matrix between rows and columns of these kinds.
 SparseMatrix block(const SparseMatrix& matrix, const Parting& parting, RowKind rows, RowKind columns);
 
 /// A part with its stiffness condensed to a boundary b; i is the interior:
@@ -32,29 +32,29 @@ SparseMatrix block(const SparseMatrix& matrix, const Parting& parting, RowKind r
 /// boundary held: u_b = S_ff^-1 (f_b + Psi' f_i), u_i = K_ii^-1 f_i + Psi u_b.
 class CondensedPart {
 public:
-    /// Keeps a reference to the part, which is sound and in SI. Throws `Error` (input) for a boundary that is empty,
+    /// Keeps a reference to the part, which must be sound and in SI. Throws `Error` (input) if the boundary is empty,
     /// names a row twice, or does not hold the part still (a mechanism would remain inside).
     CondensedPart(const ElasticPart& part, const std::vector<Eigen::Index>& boundary,
                   LinearSolver by = LinearSolver::eigen);
 
     const ElasticPart& part() const { return part_; }
-    /// Who factorises the full part.
+    /// Returns the solver that factorises the full part.
     LinearSolver linear_solver() const { return linear_solver_; }
     const Parting& parting() const { return parting_; }
     const SparseMatrix& inner_stiffness() const { return inner_stiffness_; }
     const SparseMatrix& inner_mass() const { return inner_mass_; }
-    /// [1] Psi, shape [interior][boundary].
+    /// Returns Psi [1], shape [interior][boundary].
     const Eigen::MatrixXd& constraint() const { return constraint_; }
-    /// [N/m ...] S, symmetric, shape [boundary][boundary].
+    /// Returns S [N/m ...], symmetric, shape [boundary][boundary].
     const Eigen::MatrixXd& stiffness() const { return stiffness_; }
 
-    /// K_ii^-1 of a load.
+    /// Returns the solver K_ii^-1 of a load on the interior.
     StaticSolver inner_solver() const;
-    /// The answer of the part to a load while some rows of the boundary (by their place in it) do not move; both are
-    /// without those rows, in the order of the part. Nothing where it can then move freely.
+    /// Returns the part's answer to a load while some rows of the boundary (by their place in it) do not move, or
+    /// `std::nullopt` if the part can then move freely. Load and answer lack those rows and have the order of the part.
     std::optional<StaticSolver> solver(const std::vector<Eigen::Index>& held) const;
 
-    /// How far S is off for all that the factors are [N/m ...]: Psi' (K_ii Psi + K_ib), zero but for rounding.
+    /// Returns the error of S for these factors [N/m ...]: Psi' (K_ii Psi + K_ib), zero but for rounding.
     Eigen::MatrixXd stiffness_error() const;
 
 private:

@@ -7,12 +7,12 @@
 
 namespace stridor::reduction {
 
-/// What makes it doubtful that rows are on the surface and that the normal of their contacts points into the part, in
-/// words, with what to do.
+/// Returns the reasons to doubt that rows are on the surface and that the normal of their contacts points into the
+/// part, in words, each with a remedy.
 ///
 /// `normal` is the component along which a gap opens, from 1 to 3, negative where it opens towards lower coordinates.
-/// Where the part goes on is told by the nearest nodes that the stiffness couples with a node; of nodes without places,
-/// of lines and of sheets nothing is said.
+/// The nearest nodes that the stiffness couples with a node show on which side the part lies. Nodes without places,
+/// lines and sheets are not judged.
 std::vector<base::Problem> surface_doubts(const ElasticPart& part, const std::vector<Eigen::Index>& rows, int normal);
 
 }  // namespace stridor::reduction

@@ -4,21 +4,21 @@
 
 namespace stridor::reduction {
 
-/// Who factorises the matrices of a part.
+/// The program part that factorises the matrices.
 enum class LinearSolver {
     eigen,  // the same bits on every machine
-    mumps,  // large solids in a fraction of the time; the last bits hang on the BLAS that the machine has
+    mumps,  // large solids in a fraction of the time; the last bits depend on the machine's BLAS
 };
 
-/// What factors are for: MUMPS keeps none of those that are only counted.
+/// The use of factors: MUMPS keeps no factors that only count eigenvalues.
 enum class FactorUse { solving, counting };
 
-/// "eigen", "mumps".
+/// Returns "eigen" or "mumps".
 constexpr std::string_view name_of(LinearSolver solver) {
     return solver == LinearSolver::mumps ? "mumps" : "eigen";
 }
 
-/// The one of this name: MUMPS for "mumps", else Eigen.
+/// Returns the solver of this name: MUMPS for "mumps", else Eigen.
 constexpr LinearSolver solver_named(std::string_view name) {
     return name == name_of(LinearSolver::mumps) ? LinearSolver::mumps : LinearSolver::eigen;
 }

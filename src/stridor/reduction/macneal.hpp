@@ -5,14 +5,14 @@
 
 namespace stridor::reduction {
 
-/// Reduces a part to its boundary and its lowest free modes, and what the other modes give way at the boundary
+/// Reduces a part to its boundary, its lowest free modes, and the flexibility of the other modes at the boundary
 /// (MacNeal, Computers and Structures 1, 1971, 581).
 ///
-/// Statics of the boundary and the frequencies with nothing held are exact. The boundary has no mass, and carries no
-/// damping: it follows at once, and an impact law has nothing to act on. `request.inertia` means nothing.
+/// Statics of the boundary and the frequencies with nothing held are exact. The boundary has no mass and carries no
+/// damping: it follows at once, and an impact law has no mass to act on. `request.inertia` has no effect.
 ///
-/// Throws `Error` (input) for a part that can move freely, and for so many modes that nothing is left to give way;
-/// `Error` (numerical) where its modes are not found.
+/// Throws `Error` (input) if the part can move freely, or if so many modes are kept that no flexibility is left;
+/// `Error` (numerical) if the modes are not found.
 Reduction macneal(const CondensedPart& condensed, const ReductionRequest& request);
 
 }  // namespace stridor::reduction

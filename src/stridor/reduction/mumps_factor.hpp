@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to this module: what stands behind SparseFactor with LinearSolver::mumps.
+// Private to this module: the part of SparseFactor that uses LinearSolver::mumps.
 
 #include "stridor/reduction/part.hpp"
 
@@ -12,22 +12,22 @@ namespace stridor::reduction {
 /// and Applications 23, 2001, 15): multifrontal, with pivots of one or two rows that are chosen by size.
 class MumpsFactor {
 public:
-    /// Of a matrix with both its triangles. Throws `Error` (io) where the library is not on this machine, (numerical)
-    /// where it lacks memory.
+    /// Factorises a matrix with both its triangles. Throws `Error` (io) if the library is not on this machine,
+    /// (numerical) if it lacks memory.
     MumpsFactor(const SparseMatrix& matrix, FactorUse use);
     ~MumpsFactor();
 
-    /// Did it come to its end? A pivot of zero ends it.
+    /// Says whether the factorisation was completed. A pivot of zero ends it early.
     bool is_whole() const;
 
-    /// Number of negative eigenvalues [1].
+    /// Returns the number of negative eigenvalues [1].
     Eigen::Index negative_pivots() const;
 
-    /// Of factors for solving: the smallest 1 / (A_ii (A^-1)_ii) [1] that a few steps uphill find. That is the pivot of
-    /// row i over its diagonal, were it the last one.
+    /// Returns, for factors for solving, the smallest 1 / (A_ii (A^-1)_ii) [1] that a few steps uphill find: the pivot
+    /// of row i over its diagonal, if the row were eliminated last.
     double weakest_pivot() const;
 
-    /// Of factors for solving: A^-1 of each column; its last bits hang on the columns beside it.
+    /// Returns, by factors for solving, A^-1 of each column; its last bits depend on the columns beside it.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
 private:

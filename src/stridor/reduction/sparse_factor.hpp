@@ -20,18 +20,18 @@ public:
     SparseFactor(SparseFactor&&) noexcept;
     SparseFactor& operator=(SparseFactor&&) noexcept;
 
-    /// Did it come to its end? A pivot of zero ends it.
+    /// Says whether the factorisation was completed. A pivot of zero ends it early.
     bool is_whole() const;
 
-    /// Number of eigenvalues below sigma [1].
+    /// Returns the number of eigenvalues below sigma [1].
     Eigen::Index negative_pivots() const;
 
-    /// The smallest ratio of a pivot's size to its row's diagonal [1]: about rounding (1e-16 to 1e-13) where the matrix
-    /// is singular.
+    /// Returns the smallest ratio of a pivot's size to its row's diagonal [1]: about rounding (1e-16 to 1e-13) if the
+    /// matrix is singular.
     double weakest_pivot() const;
 
-    /// (K - sigma M)^-1 of each column, by factors for solving. Eigen gives the same bits, whatever columns stand
-    /// beside it.
+    /// Returns (K - sigma M)^-1 of each column, by factors for solving. Eigen gives the same bits, whatever columns
+    /// stand beside it.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
 private:

@@ -5,10 +5,10 @@
 
 namespace stridor::report {
 
-/// Verdict, sound, chart, what to change, motion, stability, the case, and how to get it all again; what was not
-/// computed is left out.
+/// Returns the report: verdict, sound, chart, advice, motion, stability, the case, and how to repeat it all; parts that
+/// were not computed are left out.
 ///
-/// Throws `Error` (io) where a picture cannot be drawn: no font is installed.
+/// Throws `Error` (io) if a picture cannot be drawn: no font is installed.
 Report design_report(const DesignResults& results);
 
 }  // namespace stridor::report

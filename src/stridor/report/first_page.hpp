@@ -5,10 +5,11 @@
 
 namespace stridor::report {
 
-/// Writes what is handed over alone: what the report is about, the headline, the verdict of each direction with the
-/// nearest change that ends it, the chart with the design's mark, and what to change. All else of the report is empty.
+/// Returns the sheet that is handed over alone: the particulars, the headline, the verdict of each direction with the
+/// nearest change that ends it, the chart with the design's mark, and the advised change. All else of the report is
+/// empty.
 ///
-/// Throws `Error` (io) where a picture cannot be drawn: no font is installed.
+/// Throws `Error` (io) if a picture cannot be drawn: no font is installed.
 Report first_page(const DesignResults& results);
 
 }  // namespace stridor::report

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// A report as one HTML file that needs nothing else: no script, no picture beside it, no address to load from.
+/// A report as one HTML file that needs no other file: no script, no picture beside it, no address to load from.
 namespace stridor::report {
 
 /// A table; every row has as many cells as there are columns.
@@ -13,25 +13,25 @@ struct HtmlTable {
     std::vector<std::vector<std::string>> rows{};
 };
 
-/// A word on a ground of its own, and a line behind it: what is to be seen first.
+/// A word on a coloured ground, and a line behind it, to be seen first.
 struct Badge {
     std::string label;   // "going"
     std::string word;    // "squeal"
     std::string ground;  // "#BB5566"
-    std::string ink;     // of the word, to be read on that ground
+    std::string ink;     // of the word, readable on that ground
     std::string more{};  // "428.5 Hz; quiet with joint mass 0.1 -> 0.135 kg"
 };
 
-/// What a report is about: "Part" and its number.
+/// A particular of the report: "Part" and its number.
 struct Particular {
     std::string name;
     std::string value;
 };
 
-/// A sound that can be played where it stands.
+/// A sound that can be played in its place.
 struct Sound {
     std::string label;
-    std::string words;  // what is heard
+    std::string words;  // the sound in words
     std::string wav;    // the bytes of a WAV file
 };
 
@@ -42,21 +42,20 @@ struct TextFile {
     std::string saved{};  // as it is saved; empty: as it is read
 };
 
-/// A heading with what stands below it, in this order; what is empty is left out.
+/// A heading with its content below, in this order; empty parts are left out.
 struct Section {
     std::string heading;
     std::vector<std::string> paragraphs{};
     std::string svg{};      // a picture, as a file
-    std::string caption{};  // of the picture, and what it shows to who cannot see it
+    std::string caption{};  // of the picture, for readers who cannot see it, too
     HtmlTable table{};
     std::vector<Sound> sounds{};
-    std::string code{};  // commands, as they stand
+    std::string code{};  // commands, word for word
     TextFile file{};
     bool fills_sheet = false;  // its picture is as tall as a sheet of paper
 };
 
-/// A report as its reader sees it, from top to bottom. All above `sections` is one sheet of paper, to be handed over
-/// alone.
+/// A report from top to bottom. All above `sections` is one sheet of paper, to be handed over alone.
 struct Report {
     std::string title;
     std::vector<Particular> facts{};
@@ -70,15 +69,15 @@ struct Report {
     std::vector<Section> sections{};
 };
 
-/// The whole file.
+/// Returns the whole file.
 std::string html(const Report& report);
 
-/// An HTML page printed on A4, as the bytes of a PDF file, by a browser or wkhtmltopdf that is found on PATH.
+/// Returns an HTML page printed on A4, as the bytes of a PDF file, by a browser or wkhtmltopdf from PATH.
 ///
-/// Throws `Error` (io) where there is none, saying what to install, or where it fails.
+/// Throws `Error` (io) if there is none, with the packages to install, or if it fails.
 std::string printed_pdf(std::string_view html);
 
-/// Throws `Error` (io) where no program is there to print: before the work begins.
+/// Throws `Error` (io) if no program can print: call it before the work begins.
 void expect_printer();
 
 }  // namespace stridor::report

@@ -6,8 +6,8 @@
 
 namespace stridor::report {
 
-/// Drawing of a structure of the user's own as SVG: a body that rubs with its contacts, by their names, on a surface
-/// that moves under it; of many contacts the first and the last few.
+/// Returns a drawing of a structure of the user's own as SVG: a body whose named contacts rub on a surface that moves
+/// under it; of many contacts the first and the last few.
 std::string structure_sketch_svg(const parameters::Case& c);
 
 }  // namespace stridor::report

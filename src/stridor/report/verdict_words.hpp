@@ -7,22 +7,23 @@
 #include <string_view>
 #include <vector>
 
-/// Verdicts in the words of who does not know the model.
+/// Verdicts in words for readers who do not know the model.
 namespace stridor::report {
 
-/// "While the plate is going (V > 0) the contact squeals: ..." One sentence with what happens, how often and how loud.
+/// Returns a verdict in one sentence, with how often and how loud: "While the plate is going (V > 0) the contact
+/// squeals: ..."
 std::string plain_words(const classification::Verdict& verdict);
 
-/// Names the phase of a verdict: "going".
+/// Returns the phase of a verdict: "going".
 std::string phase_name(const classification::Verdict& verdict);
 
-/// Lists starts: "rest, sliding, stuck".
+/// Returns starts as a list: "rest, sliding, stuck".
 std::string start_words(const std::vector<parameters::Initial>& starts);
 
-/// Lists the motions a design is judged by: "going, coming, from rest, sliding, stuck".
+/// Returns the motions by which a design is judged: "going, coming, from rest, sliding, stuck".
 std::string judged_words(const advice::DesignSpace& space);
 
-/// Writes a quantity with its unit: "0.12 kg".
+/// Returns a quantity with its unit: "0.12 kg".
 std::string measured(std::string_view key, double value);
 
 }  // namespace stridor::report

@@ -10,7 +10,7 @@
 
 namespace stridor::signal {
 
-/// What of a motion is listened to.
+/// The quantity of a motion that is listened to.
 enum class MotionQuantity { velocity, acceleration };
 
 /// One coordinate of a motion at evenly spaced instants, shape [sample] each. The displacement is continuous; velocity
@@ -21,22 +21,23 @@ struct MotionSamples {
     std::span<const double> acceleration;  // [m/s^2] between the jumps, without the pulses at them
 };
 
-/// Makes of a motion with jumps the samples that an ideal recorder of a lower rate would have made: velocity, or
-/// acceleration with its pulses at the jumps, up to 0.45 of the rate and nothing from one half of it on.
+/// Turns a motion with jumps into the samples of an ideal recorder of a lower rate: velocity, or acceleration with its
+/// pulses at the jumps, complete up to 0.45 of the rate and zero from one half of it on.
 ///
 /// The instants of the jumps need not be known; see the derivation in band_limit.cpp and docs/methods/auralisation.md.
-/// With samples 16 times denser than the output, what folds back stays 90 dB (acceleration) or 110 dB (velocity) below
-/// the fundamental of a repeated jump, and falls by 18 dB with each doubling. Sample n of
-/// the output belongs to the instant n / rate after the first input sample.
+/// If the samples are 16 times denser than the output, what folds back stays 90 dB (acceleration) or 110 dB (velocity)
+/// below the fundamental of a repeated jump, and falls by 18 dB with each doubling. Sample n of the output belongs to
+/// the instant n / rate after the first input sample.
 class BandLimiter {
 public:
-    /// `interval` [s] between the input samples, at most a quarter of 1 / `rate`; `rate` [Hz] of the output.
+    /// Takes the `interval` [s] between the input samples, at most a quarter of 1 / `rate`, and the `rate` [Hz] of the
+    /// output.
     BandLimiter(double interval, double rate, MotionQuantity quantity);
 
     /// Takes the next samples of the motion and returns the output samples that they complete.
     std::vector<double> push(const MotionSamples& motion);
 
-    /// The rest of the output: one sample for each n / rate up to the last input sample.
+    /// Returns the rest of the output: one sample for each n / rate up to the last input sample.
     std::vector<double> finish();
 
 private:

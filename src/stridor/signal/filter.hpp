@@ -18,27 +18,27 @@ struct Biquad {
     bool operator==(const Biquad&) const = default;
 };
 
-/// Butterworth filters of even order as sections, by the bilinear transform with the corner put right: -3.01 dB at
+/// Returns a Butterworth low pass of even order as sections, by the bilinear transform with prewarping: -3.01 dB at
 /// `corner` [Hz], which lies between 0 and rate / 2. Source: Oppenheim and Schafer, Discrete-Time Signal Processing.
 std::vector<Biquad> low_pass(double corner, double rate, int order = 4);
 
-/// Likewise, for what lies above the corner.
+/// Returns a Butterworth high pass of even order as sections, with -3.01 dB at `corner` [Hz].
 std::vector<Biquad> high_pass(double corner, double rate, int order = 4);
 
-/// A signal through sections, one after the other, from rest; shape [sample].
+/// Returns a signal after the sections, one after the other, from rest; shape [sample].
 std::vector<double> filtered(std::span<const double> samples, std::span<const Biquad> sections);
 
-/// The magnitude of the sections' frequency response at a frequency [1].
+/// Returns the magnitude of the sections' frequency response at a frequency [1].
 double gain_at(std::span<const Biquad> sections, double frequency, double rate);
 
-/// What a low-pass filter must do, with frequencies as shares of the sampling rate it runs at.
+/// Requirements of a low-pass filter, with frequencies as shares of the sampling rate at which it runs.
 struct LowPass {
     double pass = 0.2;           // [1] up to here every tone keeps its level, within the stop band's residue
-    double stop = 0.25;          // [1] from here on nothing is left but that residue; pass < stop <= 1/2
+    double stop = 0.25;          // [1] from here on only that residue is left; pass < stop <= 1/2
     double attenuation = 110.0;  // [dB] how far below the pass band that residue lies, from 50 to 180
 };
 
-/// The taps of a linear-phase low pass: an odd number, symmetric about the middle one, their sum 1.
+/// Returns the taps of a linear-phase low pass: an odd number, symmetric about the middle one, with sum 1.
 ///
 /// A sinc under a Kaiser window (Kaiser, Schafer 1980; Oppenheim, Schafer, Discrete-Time Signal Processing, 7.6): the
 /// cutoff lies halfway between pass and stop, about attenuation / (14.4 (stop - pass)) taps reach the attenuation.
@@ -51,7 +51,7 @@ inline constexpr std::array<double, third_octave_count> third_octave_names{
     25.0,  31.5,  40.0,   50.0,   63.0,   80.0,   100.0,  125.0,  160.0,  200.0,  250.0,  315.0,  400.0,   500.0,
     630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0, 2500.0, 3150.0, 4000.0, 5000.0, 6300.0, 8000.0, 10000.0, 12500.0};
 
-/// A number per third-octave band.
+/// One number for each third-octave band.
 using ThirdOctaves = std::array<double, third_octave_count>;
 
 /// The rate for which the filters are made [Hz].
@@ -64,14 +64,14 @@ inline constexpr double third_octave_rate = 48000.0;
 /// 2/(3 f) at a band's centre f up to 1 kHz and 2/3 ms above (ISO 532-1, 6.3).
 class ThirdOctaveFilters {
 public:
-    /// At rest.
+    /// Begins at rest.
     ThirdOctaveFilters();
 
-    /// Takes samples at 48 kHz and hands on the smoothed powers [unit²] of the first of them and of each 24th after it:
-    /// 2000 a second.
+    /// Takes samples at 48 kHz. Calls `take` with the smoothed powers [unit²] at the first of them and at each 24th
+    /// after it: 2000 times a second.
     void push(std::span<const double> samples, const std::function<void(const ThirdOctaves&)>& take);
 
-    /// Mean squares of the bands over all samples [unit²]; zeros before the first.
+    /// Returns the mean squares of the bands over all samples [unit²]; zeros before the first.
     ThirdOctaves mean_squares() const;
 
 private:

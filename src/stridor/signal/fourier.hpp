@@ -14,16 +14,16 @@ namespace stridor::signal {
 /// It keeps its tables and buffers; each thread needs its own.
 class RadixFour {
 public:
-    /// Can frames of `size` samples be transformed: is it a power of two, 16 or more?
+    /// Says whether frames of `size` samples can be transformed: a power of two, 16 or more.
     static bool takes(std::size_t size);
 
-    /// Frames of `size` samples.
+    /// Makes a transform for frames of `size` samples.
     explicit RadixFour(std::size_t size);
 
-    /// The spectrum of a frame, shapes [size] and [size / 2 + 1].
+    /// Writes the spectrum of a frame; shapes [size] and [size / 2 + 1].
     void forward(std::span<const double> frame, std::span<std::complex<double>> spectrum);
 
-    /// The frame of a spectrum, likewise.
+    /// Writes the frame of a spectrum; shapes [size / 2 + 1] and [size].
     void backward(std::span<const std::complex<double>> spectrum, std::span<double> frame);
 
 private:
@@ -51,22 +51,22 @@ private:
 ///
 ///     X[k] = Σ x[n] exp(-2πi k n / N),  k = 0 ... N/2;   x[n] = 1/N Σ X[k] exp(+2πi k n / N)
 ///
-/// It keeps its tables and buffers; each thread needs its own. What it returns is valid until its next call.
+/// It keeps its tables and buffers; each thread needs its own. A result is valid until the next call.
 class Fourier {
 public:
-    /// Frames of `size` samples; an even number, fastest for powers of two.
+    /// Makes a transform for frames of `size` samples; an even number, fastest for powers of two.
     explicit Fourier(std::size_t size);
     ~Fourier();
     Fourier(Fourier&&) noexcept;
     Fourier& operator=(Fourier&&) noexcept;
 
-    /// Samples of a frame [1].
+    /// Returns the number of samples of a frame [1].
     std::size_t size() const;
 
-    /// The spectrum of a frame, shape [size / 2 + 1]; a frame shorter than `size` is filled with zeros.
+    /// Returns the spectrum of a frame, shape [size / 2 + 1]. A frame shorter than `size` is filled with zeros.
     std::span<const std::complex<double>> spectrum(std::span<const double> frame);
 
-    /// The frame of a spectrum of shape [size / 2 + 1].
+    /// Returns the frame of a spectrum of shape [size / 2 + 1].
     std::span<const double> frame(std::span<const std::complex<double>> spectrum);
 
 private:
@@ -74,7 +74,7 @@ private:
     std::unique_ptr<Buffers> buffers_;
 };
 
-/// The power of two nearest to a time, as a number of samples; at least 64.
+/// Returns the power of two nearest to a duration [s], as a number of samples; at least 64.
 std::size_t power_of_two_near(double duration, double rate);
 
 }  // namespace stridor::signal

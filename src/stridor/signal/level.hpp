@@ -9,17 +9,17 @@
 
 namespace stridor::signal {
 
-/// The quantity that 0 dB stands for: 20 uPa (ISO 1683), 1e-9 m/s, 1e-6 m/s^2, 1e-6 N; for "FS" and every other unit 1
-/// of the unit itself.
+/// Returns the quantity of 0 dB: 20 uPa (ISO 1683), 1e-9 m/s, 1e-6 m/s^2, 1e-6 N; for "FS" and every other unit 1 of
+/// the unit itself.
 double reference_of(std::string_view unit);
 
-/// "dB re 20 uPa", "dB re FS": how a level of samples in this unit is labelled.
+/// Returns the label of a level of samples in this unit: "dB re 20 uPa", "dB re FS".
 std::string level_unit(std::string_view unit);
 
-/// 10 lg(mean square / reference²) [dB]; minus infinity for silence.
+/// Returns 10 lg(mean square / reference²) [dB]; minus infinity for silence.
 double level_of(double mean_square, double reference);
 
-/// A level over time: exponentially averaged with a time constant, looked at at equal instants.
+/// A level over time: exponentially averaged with a time constant, kept at equal intervals.
 struct LevelHistory {
     double interval = 0.0;                                       // [s] between values; the first stands at `interval`
     std::vector<double> decibels;                                // [dB] shape [instant]
@@ -32,13 +32,14 @@ inline constexpr double fast = 0.125;
 /// Averages the square of samples exponentially, d(m)/dt = (x² - m) / time constant, from m = 0.
 class LevelMeter {
 public:
-    /// Keeps a value every 50 ms; a long recording keeps ever fewer, never more than 8192.
+    /// Makes a meter that keeps a value every 50 ms. In a long recording the interval grows, so that there are never
+    /// more than 8192 values.
     LevelMeter(double rate, double reference, double time_constant = fast);
 
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
-    /// The level so far.
+    /// Returns the level so far.
     LevelHistory history() const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace stridor::signal {
 
-/// The median of values; of an even number of them the greater of the two in the middle. There is at least one.
+/// Returns the median of at least one value; of an even number of values the greater of the two in the middle.
 double median_of(std::span<const double> values);
 
 }  // namespace stridor::signal

@@ -17,15 +17,15 @@ struct RateRatio {
     int down = 1;
 };
 
-/// The ratio that leads from one rate [Hz] to another: exact where whole numbers up to 4096 can say it, as
-/// between 44.1, 48 and 51.2 kHz, else the last convergent made of such numbers, which is within 5e-7 for
-/// changes of up to eightfold.
+/// Returns the ratio from one rate [Hz] to another. It is exact if whole numbers up to 4096 can express it, as between
+/// 44.1, 48 and 51.2 kHz. Else it is the last convergent of such numbers, within 5e-7 for changes of up to eightfold.
 ///
-/// Throws `Error` (input) for a rate that is not positive, and for rates too far apart to say their ratio within 0.1 %.
+/// Throws `Error` (input) for a rate that is not positive, and for rates so far apart that their ratio has an error
+/// above 0.1 %.
 RateRatio rate_ratio(double from, double to);
 
-/// The low pass for a ratio, its frequencies as shares of the higher rate `up` times the old one: up to 0.45 of the
-/// lower of both rates passes, from one half on nothing folds back.
+/// Returns the low pass for a ratio, its frequencies as shares of the higher rate `up` times the old one. It passes up
+/// to 0.45 of the lower of both rates; from one half on nothing folds back.
 LowPass low_pass_for(RateRatio ratio);
 
 /// Changes the sampling rate of one channel, block by block, through a linear-phase low pass (polyphase form:
@@ -35,16 +35,16 @@ LowPass low_pass_for(RateRatio ratio);
 /// delayed. The input is taken as zero before its beginning and after its end. The blocks never show in the result.
 class Resampler {
 public:
-    /// With the low pass that the ratio asks for.
+    /// Uses the low pass that the ratio needs (`low_pass_for`).
     explicit Resampler(RateRatio ratio) : Resampler(ratio, low_pass_for(ratio)) {}
 
-    /// With a low pass of one's own; its frequencies are shares of `up` times the old rate.
+    /// Uses another low pass; its frequencies are shares of `up` times the old rate.
     Resampler(RateRatio ratio, const LowPass& design);
 
     /// Takes the next input samples and returns the output samples that they complete.
     std::vector<double> push(std::span<const double> input);
 
-    /// The rest of the output after the last input sample: ceil(input * up / down) samples altogether.
+    /// Returns the rest of the output after the last input sample: ceil(input * up / down) samples altogether.
     std::vector<double> finish();
 
 private:
@@ -61,10 +61,10 @@ private:
     std::uint64_t produced_ = 0;   // output samples so far
 };
 
-/// A whole channel at another rate [Hz]; its unit stays.
+/// Returns a whole channel at another rate [Hz]; its unit stays.
 Signal resampled(const Signal& signal, double rate);
 
-/// A recording at another rate [Hz], still read in blocks.
+/// Returns a recording at another rate [Hz], still read in blocks.
 std::unique_ptr<Source> resampled(std::unique_ptr<Source> source, double rate);
 
 }  // namespace stridor::signal

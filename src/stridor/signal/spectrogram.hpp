@@ -17,28 +17,28 @@ struct Spectrogram {
     std::size_t rows = 0;
     std::string unit = full_scale;  // of the samples
     std::vector<double> density{};  // [unit²/Hz] shape [column][row]
-    double from = 0.0;              // [s] a column lies around the middles of its frames, not their beginnings
-    /// How many columns there are [1].
+    double from = 0.0;              // [s] start; a column lies around the middles of its frames
+    /// Returns the number of columns [1].
     std::size_t columns() const { return rows == 0 ? 0 : density.size() / rows; }
 };
 
-/// How large a spectrogram may become.
+/// The largest size of a spectrogram.
 struct SpectrogramBounds {
     std::size_t rows = 512;
     std::size_t columns = 1024;  // even
 };
 
-/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `bounds.rows`
-/// rows, and whenever there are too many columns, neighbours are averaged and columns become twice as long.
+/// Collects the frames of a `Welch` in a spectrogram of bounded size. Lines are averaged into at most `bounds.rows`
+/// rows. When there are too many columns, neighbours are averaged and columns become twice as long.
 class Spectrograph {
 public:
-    /// Half overlapped frames of `lines` lines, `spacing` [Hz] apart, one each `hop` [s].
+    /// Expects half overlapped frames of `lines` lines, `spacing` [Hz] apart, one every `hop` [s].
     Spectrograph(double spacing, double hop, std::size_t lines, SpectrogramBounds bounds = {});
 
-    /// Takes the next frame's density [unit²/Hz], shape [line]; lines beyond the last are left out.
+    /// Takes the next frame's density [unit²/Hz], shape [line]; lines beyond the last row are left out.
     void push(std::span<const double> density);
 
-    /// What was gathered so far.
+    /// Returns the spectrogram of the frames so far.
     Spectrogram spectrogram() const;
 
 private:
@@ -55,7 +55,7 @@ private:
     std::vector<double> density_{};
 };
 
-/// The spectrogram of a whole signal, Hann, half overlapped.
+/// Returns the spectrogram of a whole signal, Hann, half overlapped.
 Spectrogram spectrogram(const Signal& signal, std::size_t size = 4096);
 
 }  // namespace stridor::signal

@@ -40,18 +40,19 @@ public:
     /// Called with the one-sided density of each frame [unit²/Hz], shape [line].
     using Listener = std::function<void(std::span<const double>)>;
 
-    /// `rate` [Hz] of the samples; the listener may be empty.
+    /// Takes the `rate` [Hz] of the samples; the listener may be empty.
     Welch(double rate, WelchOptions options = {}, Listener listener = {});
 
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
-    /// Averaged so far. Fewer samples than a frame give one frame filled up with zeros; none give no frame.
+    /// Returns the average so far. Fewer samples than a frame give one frame filled up with zeros; no sample gives no
+    /// frame.
     Spectrum spectrum();
 
-    /// From one frame to the next [1] samples.
+    /// Returns the number of samples from one frame to the next [1].
     std::size_t hop() const { return options_.size / 2; }
-    /// From one line to the next [Hz].
+    /// Returns the distance from one line to the next [Hz].
     double spacing() const { return rate_ / static_cast<double>(options_.size); }
 
 private:
@@ -70,51 +71,52 @@ private:
     std::size_t frames_ = 0;
 };
 
-/// The spectrum of a whole signal.
+/// Returns the spectrum of a whole signal.
 Spectrum welch(const Signal& signal, WelchOptions options = {});
 
-/// Mean square between two frequencies [unit²]: lines count with the share of their spacing that lies inside.
+/// Returns the mean square between two frequencies [unit²]: each line counts with the share of its spacing inside.
 double mean_square_between(const Spectrum& spectrum, double low, double high);
 
-/// Mean square of a sinusoid at each line [unit²]: density times noise bandwidth. What a level spectrum shows.
+/// Returns the mean square of a sinusoid at each line [unit²], density times noise bandwidth, as a level spectrum
+/// shows.
 std::vector<double> line_squares(const Spectrum& spectrum);
 
 /// A peak of a spectrum.
 struct SpectrumPeak {
     double frequency = 0.0;    // [Hz] between lines, by a parabola through three levels
-    double mean_square = 0.0;  // [unit²] of the sinusoid it would be
+    double mean_square = 0.0;  // [unit²] of a sinusoid with this peak
     double prominence = 0.0;   // [dB] over the median of the octave around it
 };
 
-/// The strongest peaks that stand out by at least `prominence` [dB], strongest first, at most `most`, none within four
-/// lines of a stronger one and none below 20 Hz.
+/// Returns the strongest peaks that stand out by at least `prominence` [dB], strongest first, at most `most`. No peak
+/// lies within four lines of a stronger one, none below 20 Hz.
 std::vector<SpectrumPeak> strongest_peaks(const Spectrum& spectrum, std::size_t most = 8, double prominence = 10.0);
 
-/// A band of frequencies with the mean square of what lies in it.
+/// A band of frequencies with its mean square.
 struct Band {
-    double nominal = 0.0;      // [Hz] the name of its centre, "125", "31.5"; 0: it has none
+    double nominal = 0.0;      // [Hz] the nominal centre, "125", "31.5"; 0: none
     double low = 0.0;          // [Hz]
     double high = 0.0;         // [Hz]
     double mean_square = 0.0;  // [unit²]
 };
 
-/// How wide a band is.
+/// The two widths of a band.
 enum class BandWidth { octave, third_octave };
 
-/// Octave or third-octave bands of a spectrum, base-ten centres and edges (IEC 61260-1: G = 10^0.3), from 12.5 Hz
-/// (octaves 16 Hz) as far as they lie wholly below half the rate.
+/// Returns the octave or third-octave bands of a spectrum, base-ten centres and edges (IEC 61260-1: G = 10^0.3), from
+/// 12.5 Hz (octaves 16 Hz) as far as they lie wholly below half the rate.
 ///
 /// Levels are summed from the spectrum's lines, not by filters: a band narrower than four lines is left out, and the
 /// slopes are those of the window instead of the standard's filters.
 std::vector<Band> bands(const Spectrum& spectrum, BandWidth width);
 
-/// A-weighting of a frequency as a factor on mean squares (IEC 61672-1, annex E); 1 at 1 kHz.
+/// Returns the A-weighting of a frequency as a factor on mean squares (IEC 61672-1, annex E); 1 at 1 kHz.
 double a_weighting(double frequency);
 
-/// The spectrum with A-weighted densities.
+/// Returns the spectrum with A-weighted densities.
 Spectrum a_weighted(Spectrum spectrum);
 
-/// A range of frequencies that the field has a name for. Reported beside the verdict, which does not use them.
+/// A range of frequencies with a name in the field. Reported beside the verdict, which does not use it.
 struct NamedBand {
     std::string_view name;
     std::string_view source;

@@ -17,7 +17,7 @@
 
 namespace stridor::sound {
 
-/// A smallest and a largest sample: what a drawn waveform needs of a moment.
+/// The smallest and the largest sample of an equal moment, as a drawn waveform needs them.
 struct SampleExtent {
     double low = 0.0;   // [unit]
     double high = 0.0;  // [unit]
@@ -29,7 +29,7 @@ struct Waveform {
     std::vector<SampleExtent> extents{};
 };
 
-/// All that is found in one channel of a recording.
+/// The results of one channel of a recording.
 struct SoundAnalysis {
     std::string name{};                     // of the channel; may be empty
     std::string unit = signal::full_scale;  // of its samples
@@ -43,15 +43,15 @@ struct SoundAnalysis {
     signal::Spectrogram spectrogram{};
     Waveform waveform{};
     std::vector<SoundStretch> stretches{};  // one after the other, in time
-    std::vector<Passage> passages{};        // likewise, of a microphone's channel: in Pa or uncalibrated
-    signal::Spectrogram impulses{};         // of the loudest of them, through short frames
+    std::vector<Passage> passages{};        // in time; of a microphone's channel: in Pa or uncalibrated
+    signal::Spectrogram impulses{};         // of the loudest passage, through short frames
     std::optional<SoundQuality> quality{};  // of a channel in Pa, if asked for
 };
 
-/// Describes one channel as a whole as its samples come: levels, spectra, waveform. What it keeps does not grow.
+/// Describes one channel as a whole as its samples come: levels, spectra, waveform. Its memory does not grow.
 class ChannelOverview {
 public:
-    /// `rate` [Hz] of the samples; the channel says their unit.
+    /// Takes the `rate` [Hz] of the samples; the channel says their unit.
     ChannelOverview(double rate, signal::Channel channel);
     ~ChannelOverview();
     ChannelOverview(ChannelOverview&&) noexcept;
@@ -60,7 +60,7 @@ public:
     /// Takes the next samples in the channel's unit.
     void push(std::span<const double> samples);
 
-    /// Ends the recording; the stretches are left to `StretchFinder`.
+    /// Ends the recording and returns its description. The stretches are left to `StretchFinder`.
     SoundAnalysis finish();
 
 private:
@@ -68,30 +68,32 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Called as a recording is read, with the frames that are done.
+/// Called as a recording is read, with the number of frames done.
 using AnalysisProgress = std::function<void(std::uint64_t frames)>;
 
-/// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done:
-/// the place to bring threads.
+/// Does the pieces of work 0 ... count - 1, which are independent, and returns when all are done. Pass a runner with
+/// threads here.
 using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Is a channel taken for one of a microphone? One in Pa is, and one that nobody has calibrated; motions and forces are
+/// Says whether a channel counts as a microphone's: one in Pa does, and an uncalibrated one; motions and forces are
 /// heard as they are.
 bool is_heard_through_air(const signal::Channel& channel);
 
-/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches, the passages and the
-/// overview of each channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get
-/// their sound quality, heard in it. What stands still in a channel and outweighs what moves (the gravity in an
-/// accelerometer) is taken away first, so levels and peaks are of what moves.
+/// Reads a recording to its end and returns the analysis of all channels; shape [channel].
 ///
-/// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
-/// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
+/// The stretches, the passages and the overview of each channel are pieces of work for `run`, and so is reading on. If
+/// `field` is given, the channels in Pa get their sound quality, heard in that field. A constant part of a channel that
+/// outweighs the changing part (gravity in an accelerometer) is taken away first, so that levels and peaks are those of
+/// the changing part.
+///
+/// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is not
+/// finite, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgress& progress = {},
                                    const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
 
-/// The channel with the greatest level above 40 Hz, of equals the first: channels may have different units, so that
-/// their levels are compared and not their samples. There is at least one.
+/// Returns the channel with the greatest level above 40 Hz, the first of equals. There must be at least one. Levels are
+/// compared and not samples, since channels may have different units.
 std::size_t loudest(std::span<const SoundAnalysis> channels);
 
 }  // namespace stridor::sound

@@ -14,18 +14,18 @@
 
 namespace stridor::sound {
 
-/// The last degree of freedom, however many there are: of the rubbing system the plate's.
+/// The last degree of freedom of any structure; in the rubbing system the plate's.
 inline constexpr std::size_t last_dof = static_cast<std::size_t>(-1);
 
-/// Where and how a motion is listened to: a degree of freedom, or a point whose motion several make up.
+/// Where and how a motion is listened to: at a degree of freedom, or at a point whose motion is a sum of several.
 struct Pickup {
     std::size_t dof = 0;  // [1] degree of freedom: x and y of each joint in turn, then the plate's; or `last_dof`
     signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
-    // [1] shape [dof]: what the motion of each counts in the sum that is heard; empty: that of `dof` alone
+    // [1] shape [dof]: the weight of each degree of freedom in the sum that is heard; empty: that of `dof` alone
     std::vector<double> weights{};
 };
 
-/// A stretch of time that is heard.
+/// A stretch of time to be heard.
 struct Stretch {
     double from = 0.0;  // [s]
     double to = 0.0;    // [s]
@@ -38,43 +38,44 @@ inline constexpr int trace_density = 16;
 struct AuralisationSettings {
     Pickup pickup{};
     double rate = 48000.0;             // [Hz] of the sound
-    double high_pass = 20.0;           // [Hz] what is slower, as the drive's own motion, is left out; 0: nothing is
+    double high_pass = 20.0;           // [Hz] slower motion, as the drive's own, is left out; 0: nothing is
     double fade = 5e-3;                // [s] at both ends of each stretch, at most half of it
     std::vector<Stretch> stretches{};  // in order, heard one after the other; empty: everything, without fades
     int density = trace_density;       // [1] trace samples per sample of the sound, at least 4
 };
 
-/// The gain at an instant [s] of a stretch that is faded in and out over `fade` [s], at most half of it; 0 outside.
+/// Returns the gain at an instant [s] of a stretch that is faded in and out over `fade` [s], at most half of it; 0
+/// outside.
 double fade_gain(const Stretch& stretch, double fade, double time);
 
-/// The stretches of a run that belong to a direction: its going or its coming phases, whole or only what the verdict is
-/// made from. Everything judged or counted of a run with a constant drive, which has one phase only.
+/// Returns the stretches of a run that belong to a direction: its going or its coming phases, whole or only their
+/// judged parts. A constant drive has one phase only: then all that is judged or counted.
 std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phase phase, record::Use least);
 
-/// Until when a motion of `duration` [s] must be known: 0.1 s behind the last stretch, since filters look ahead; to the
-/// end without stretches.
+/// Returns the time [s] until which a motion of `duration` [s] must be known: 0.1 s behind the last stretch, since
+/// filters look ahead; without stretches its end.
 double heard_until(const AuralisationSettings& settings, double duration);
 
-/// "m/s" or "m/s^2".
+/// Returns "m/s" or "m/s^2".
 std::string unit_of(signal::MotionQuantity quantity);
 
-/// Makes a sound of a run's trace, block by block: band-limited (`BandLimiter`), without what is too slow to be heard,
-/// cut to the stretches asked for, each faded in and out.
+/// Makes a sound of a run's trace, block by block: band-limited (`BandLimiter`), without motion that is too slow to be
+/// heard, cut to the stretches asked for, each faded in and out.
 ///
 /// The sound is the motion itself in m/s or m/s^2, never a sound pressure: that needs a model of radiation.
 class Auralisation {
 public:
-    /// The rate must be above zero and more than twice the high pass.
+    /// Takes the settings. The rate must be above zero and more than twice the high pass.
     explicit Auralisation(AuralisationSettings settings);
 
-    /// The trace that is needed of a run that lasts `duration` [s], to `heard_until`; `taker` is handed each block of
-    /// the sound. Call `finish` after the run, and keep this object where it is until then.
+    /// Returns the request for the trace of a run that lasts `duration` [s], to `heard_until`. `taker` receives each
+    /// block of the sound. Call `finish` after the run, and keep this object in its place until then.
     record::TraceRequest request(double duration, std::function<void(std::span<const double>)> taker);
 
     /// Takes the next block of the trace and returns the part of the sound [m/s or m/s^2] that it completes.
     std::vector<double> add(const record::Trace& trace);
 
-    /// The rest of the sound.
+    /// Returns the rest of the sound.
     std::vector<double> finish();
 
 private:
@@ -90,10 +91,10 @@ private:
     double memory_[2] = {};  // of the high pass
 };
 
-/// The sound of a whole trace, sampled as `Auralisation::request` asks.
+/// Returns the sound of a whole trace, sampled as `Auralisation::request` asks.
 signal::Signal auralise(const record::Trace& trace, const AuralisationSettings& settings);
 
-/// The largest magnitude of samples.
+/// Returns the largest magnitude of samples.
 double peak(std::span<const double> samples);
 
 }  // namespace stridor::sound

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-/// How a sound goes in time: its level, how it rests, and its impulses. docs/methods/sound.md, section 3.
+/// The course of a sound in time: its level, its rest, and its impulses. docs/methods/sound.md, section 3.
 namespace stridor::sound {
 
 /// Means of the powers of samples.
@@ -15,11 +15,11 @@ struct Moments {
     double peak = 0.0;    // [unit] greatest magnitude
 };
 
-/// The moments of samples, one at least. Their mean stays in.
+/// Returns the moments of at least one sample. The mean is not taken away.
 Moments moments_of(std::span<const double> samples);
 
-/// Largest share of samples within a band of so much width, wherever the band lies, to an eighth of its width; 1 where
-/// they never leave it.
+/// Returns the largest share of samples within a band of this width, wherever the band lies, to an eighth of its width;
+/// 1 if they never leave it.
 double largest_dwell(std::span<const double> samples, double width);
 
 /// The level of a sound over parts of 40 ms, half overlapped, against the straight line that fits it best.
@@ -29,8 +29,8 @@ struct LevelCourse {
     double unsteadiness = 0.0;  // [dB] effective deviation from it
 };
 
-/// Parts are shorter where the sound has fewer than four of them; all is 0 where even those are too few.
-/// `windows` are Hann's.
+/// Returns the course of the level. The parts are shorter if the sound has fewer than four of them; all is 0 if even
+/// those are too few. `windows` must be Hann windows.
 LevelCourse level_course(std::span<const double> samples, double rate, signal::Windows& windows);
 
 /// The impulses of a sound.
@@ -40,7 +40,7 @@ struct ImpulseTrain {
     double interval = 0.0;         // [s] between impulses where they are most periodic; 0 if they never are
 };
 
-/// Impulses are rises of the envelope of the sound's slope, in half milliseconds.
+/// Returns the impulses: rises of the envelope of the sound's slope, in half milliseconds.
 ImpulseTrain impulse_train(std::span<const double> slope, double rate);
 
 }  // namespace stridor::sound

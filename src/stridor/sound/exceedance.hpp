@@ -5,20 +5,20 @@
 
 namespace stridor::sound {
 
-/// How often a positive quantity exceeds each value, counted in steps of 0.1 % from 1e-3 to 1e4 of its unit. What it
-/// keeps does not grow.
+/// Counts how often a positive quantity exceeds each value, in steps of 0.1 % from 1e-3 to 1e4 of its unit. Its memory
+/// does not grow.
 class Exceedance {
 public:
-    /// Counts a value; what lies beyond the ends counts as the end.
+    /// Counts a value; a value beyond the ends counts as the end.
     void count(double value);
 
-    /// How many values were counted.
+    /// Returns the number of values counted.
     std::uint64_t values() const { return values_; }
 
-    /// Largest value; 0 of none.
+    /// Returns the largest value; 0 without values.
     double greatest() const { return greatest_; }
 
-    /// What is exceeded by this share of the values [1], within 0.1 %; 0 of none.
+    /// Returns the value that this share of the values [1] exceeds, within 0.1 %; 0 without values.
     double exceeded(double share) const;
 
 private:

@@ -9,20 +9,21 @@
 
 namespace stridor::sound {
 
-/// One feature of a sound. Documents, evaluations, entries of the noise library and what is kept of a search take their
+/// One feature of a sound. Documents, evaluations, entries of the noise library and the files of a search take their
 /// lists of features from this table; docs/methods/sound.md has the formulas.
 struct SoundFeature {
     std::string_view name;  // "tonality"
     std::string_view unit;  // "1" when dimensionless
     double SoundFeatures::*member;
 
-    /// Where it is told beside the documents about a sound, which hold all: in evaluations of the rules, and in entries
-    /// of the noise library. Those have the tone as "dominant_frequency", and the impulses of the whole segment.
+    /// Where a feature is told besides the documents about a sound, which hold all: in evaluations of the rules, and in
+    /// entries of the noise library. Entries call the tone "dominant_frequency" and count the impulses of the whole
+    /// segment.
     enum class Told : std::uint8_t { everywhere, in_evaluations, in_entries } told = Told::everywhere;
 };
 
-/// All that a sound as such has, in the order of documents. `from`, `duration`, `mean_square` and `peak` say which
-/// sound it is and how loud, and `impulses` is a count: they are told in words of their own.
+/// All features of a sound, in the order of documents. `from`, `duration`, `mean_square` and `peak` say which sound it
+/// is and how loud, and `impulses` is a count: these are written separately.
 inline constexpr std::array feature_table{
     SoundFeature{"clearness", "dB", &SoundFeatures::clearness},
     SoundFeature{"frequency", "Hz", &SoundFeatures::frequency, SoundFeature::Told::in_evaluations},
@@ -46,7 +47,7 @@ inline constexpr std::array feature_table{
 // four numbers and a count are not in it; a feature that is added is
 static_assert(sizeof(SoundFeatures) == (4 + feature_table.size()) * sizeof(double) + sizeof(std::size_t));
 
-/// The row of a member, for tables that tell it in other words.
+/// Returns the row of a member, for tables that describe it in other words.
 constexpr const SoundFeature& feature_of(double SoundFeatures::*member) {
     std::size_t place = 0;
     while (feature_table[place].member != member)

@@ -10,21 +10,21 @@
 
 namespace stridor::sound {
 
-/// What tells squeal, squeak, creak and mere rubbing apart in one stretch of sound. Formulas, units and sources:
-/// docs/methods/sound.md. No figure depends on the sound's gain but `mean_square` and `peak`.
+/// The features that distinguish squeal, squeak, creak and mere rubbing in one stretch of sound. Formulas, units and
+/// sources: docs/methods/sound.md. Only `mean_square` and `peak` depend on the sound's gain.
 struct SoundFeatures {
     double from = 0.0;      // [s] where the stretch begins
     double duration = 0.0;  // [s]
 
     double mean_square = 0.0;  // [unit²] above 40 Hz, the floor taken away
-    double peak = 0.0;         // [unit] largest magnitude, likewise
+    double peak = 0.0;         // [unit] largest magnitude above 40 Hz, the floor taken away
     double clearness = 0.0;    // [dB] power of the sound over that of the floor; infinite without a floor
 
     double frequency = 0.0;             // [Hz] of the strongest line; 0: there is none
     double prominence = 0.0;            // [dB] of that line over the median of its surroundings, an octave wide
     double tonality = 0.0;              // [1] share of the power in that line
     double regularity = 0.0;            // [1] likeness of each cycle of that frequency with the next: autocorrelation
-    double repetition = 0.0;            // [1] the same at its best cycle up to 25 ms long
+    double repetition = 0.0;            // [1] that likeness at its best cycle up to 25 ms long
     double repetition_frequency = 0.0;  // [Hz] of that best cycle; 0: there is none
     double movement = 0.0;              // [1] standard deviation of the strongest frequency over time, as its share
 
@@ -40,12 +40,12 @@ struct SoundFeatures {
     double impulse_periodicity = 0.0;  // [1] autocorrelation of the envelope there
 };
 
-/// Energy of a stretch: the integral of its square [Pa^2*s or the sound's unit squared times s].
+/// Returns the energy of a stretch: the integral of its square [Pa^2*s or the sound's unit squared times s].
 inline double energy(const SoundFeatures& features) {
     return features.mean_square * features.duration;
 }
 
-/// Instants of a stretch's impulses [s], counted from its start, for intervals longer than a stretch.
+/// The features of a stretch, and the instants of its impulses [s] from its start, for intervals longer than a stretch.
 struct SoundStretch {
     SoundFeatures features;
     std::vector<double> impulses;  // [s] shape [impulse]
@@ -54,10 +54,10 @@ struct SoundStretch {
 /// Finds the features of stretches of one rate. It keeps tables and buffers; each thread needs its own.
 class FeatureFinder {
 public:
-    /// `rate` [Hz] of the samples.
+    /// Takes the `rate` [Hz] of the samples.
     explicit FeatureFinder(double rate);
 
-    /// The features of a stretch, at least `least_duration` long; `from` stays 0.
+    /// Returns the features of a stretch, at least `least_duration` long; `from` stays 0.
     SoundStretch find(std::span<const double> samples);
 
     static constexpr double least_duration = 0.02;  // [s]
@@ -81,7 +81,8 @@ private:
     std::vector<double> short_echo_{};
 };
 
-/// The features of a whole signal as one stretch. Throws `Error` (input) if it is shorter than `least_duration`.
+/// Returns the features of a whole signal as one stretch. Throws `Error` (input) if it is shorter than
+/// `least_duration`.
 SoundFeatures sound_features(const signal::Signal& signal);
 
 }  // namespace stridor::sound

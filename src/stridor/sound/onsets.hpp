@@ -6,15 +6,15 @@
 
 namespace stridor::sound {
 
-/// The level of a sound over its parts of `length` samples, as the mean of the levels [dB] of octaves from 1 kHz up:
-/// 1 to 2, 2 to 4, 4 to 8 and 8 to 14 kHz, as far as the rate [Hz] has them; empty if it has none.
+/// Returns the level of a sound over its parts of `length` samples, as the mean of the levels [dB] of octaves from 1
+/// kHz up: 1 to 2, 2 to 4, 4 to 8 and 8 to 14 kHz, as far as the rate [Hz] has them; empty if it has none.
 ///
-/// All octaves weigh the same, however weak, down to 50 dB below the greatest. So what strikes all of them at once
-/// shows even where a room or a body rings on in one: the highest octaves ring the shortest.
+/// All octaves have the same weight, however weak, down to 50 dB below the greatest. So an impulse that strikes all of
+/// them at once shows even if a room or a body rings on in one: the highest octaves ring the shortest.
 std::vector<double> band_levels(std::span<const double> samples, double rate, std::size_t length);
 
-/// What the course of a passage tells: how its level steps up and falls off above 1 kHz, where the impulses of a creak
-/// stand out of the room and the wood that ring between them. Formulas: docs/methods/ear.md.
+/// The course of a passage: how its level steps up and falls off above 1 kHz, where the impulses of a creak rise above
+/// the ringing of the room and the wood. Formulas: docs/methods/ear.md.
 struct Onsets {
     std::vector<double> instants{};  // [s] of steps up by 4.5 dB or more
     double rate = 0.0;               // [1/s] of them, while the sound lasts
@@ -22,8 +22,8 @@ struct Onsets {
                                      // faster than it falls
     double train = 0.0;              // [1] share of the time that rows of onsets take whose intervals change little
     double longest_train = 0.0;      // [1] onsets in the longest row
-    double joint_skewness = 0.0;     // [1] the same as `skewness` of the mean level of octaves, see `band_levels`
-    double joint_train = 0.0;        // [1] onsets in its longest row
+    double joint_skewness = 0.0;     // [1] `skewness` of the mean level of octaves, see `band_levels`
+    double joint_train = 0.0;        // [1] onsets in the longest row of that level
     double beat = 0.0;               // [dB] standard deviation of the level over 8 ms around that over 0.2 s
     double kurtosis = 0.0;           // [1] above 1 kHz: sine 1.5, noise 3, impulses more; 0: silence
     double level_spread = 0.0;       // [dB] standard deviation of the level over 50 ms, above 100 Hz
@@ -31,7 +31,7 @@ struct Onsets {
                                      // from the first to the last such moment
 };
 
-/// Finds them in a passage, at least 20 ms long; `rate` [Hz] of the samples.
+/// Returns the onsets of a passage, at least 20 ms long; `rate` [Hz] of the samples.
 Onsets onsets_of(std::span<const double> samples, double rate);
 
 }  // namespace stridor::sound

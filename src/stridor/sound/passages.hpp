@@ -11,22 +11,22 @@
 
 namespace stridor::sound {
 
-/// A few seconds of a recording, as the ear takes them together: long enough for a row of impulses and for a tone that
+/// A few seconds of a recording that the ear judges together: long enough for a row of impulses and for a tone that
 /// starts, stops and jumps.
 struct Passage {
     double from = 0.0;      // [s]
     double duration = 0.0;  // [s]
     Tones tones;            // instants count from the recording's beginning
-    Onsets onsets;          // likewise
+    Onsets onsets;          // instants count from the recording's beginning
 };
 
 /// The usual length of a passage [s]; the last one is up to a second longer.
 inline constexpr double passage_time = 3.0;
 
-/// Describes one channel passage by passage as its samples come. What it keeps grows with its onsets and tones.
+/// Describes one channel passage by passage as its samples come. Its memory grows with onsets and tones.
 class PassageFinder {
 public:
-    /// `rate` [Hz] of the samples.
+    /// Takes the `rate` [Hz] of the samples.
     explicit PassageFinder(double rate);
     ~PassageFinder();
     PassageFinder(PassageFinder&&) noexcept;
@@ -35,11 +35,11 @@ public:
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
-    /// Ends the recording: all passages, in time. A recording shorter than 20 ms has none.
+    /// Ends the recording and returns all passages, in time. A recording shorter than 20 ms has none.
     std::vector<Passage> finish();
 
-    /// The loudest passage through frames of 5 ms, up to 12 kHz: an impulse is a moment there, and not a stripe. It is
-    /// within 0.5 dB of the loudest; without columns where all is silent.
+    /// Returns the loudest passage through frames of 5 ms, up to 12 kHz: an impulse is a moment there, not a stripe.
+    /// Its level is within 0.5 dB of the loudest. It has no columns if all is silent.
     const signal::Spectrogram& impulses() const;
 
 private:
@@ -50,15 +50,15 @@ private:
 /// The longest stretch that is described as one [s].
 inline constexpr double longest_stretch = 0.5;
 
-/// Cuts one channel into stretches as its samples come, and describes each. What it keeps grows with a few hundred
-/// bytes per half second.
+/// Cuts one channel into stretches as its samples come, and describes each. Its memory grows by a few hundred bytes per
+/// half second.
 ///
 /// The sound is cut wherever its sustained level, the median over twelve parts of 5 ms, changes by more than 6 dB, and
-/// at the latest after half a second. A median of 60 ms does not see impulses, so they stay in the stretch they belong
-/// to; the going and coming phases of a rig fall into stretches of their own.
+/// at the latest after half a second. A median of 60 ms ignores impulses, so they stay in their stretch; the going and
+/// coming phases of a rig become stretches of their own.
 class StretchFinder {
 public:
-    /// `rate` [Hz] of the samples.
+    /// Takes the `rate` [Hz] of the samples.
     explicit StretchFinder(double rate);
     ~StretchFinder();
     StretchFinder(StretchFinder&&) noexcept;
@@ -67,7 +67,7 @@ public:
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
-    /// Ends the recording: all stretches, in time. A rest too short to be described is left out.
+    /// Ends the recording and returns all stretches, in time. A rest too short to be described is left out.
     std::vector<SoundStretch> finish();
 
 private:

@@ -8,7 +8,7 @@
 
 namespace stridor::sound {
 
-/// What a listener makes of a sound whose pressure is known.
+/// How a listener perceives a sound of known pressure.
 struct SoundQuality {
     SoundField field = SoundField::free;
     double loudness = 0.0;                 // [sone] of the mean spectrum, as if it were stationary (ISO 532-1, 5)
@@ -21,10 +21,10 @@ struct SoundQuality {
     signal::ThirdOctaves third_octaves{};  // [Pa²] mean squares, by the filters; 0 beyond half the rate
 };
 
-/// Describes a sound pressure as it comes; what it keeps does not grow. Rates other than 48 kHz are changed to it.
+/// Describes a sound pressure as it comes; its memory does not grow. Other rates are resampled to 48 kHz.
 class SoundQualityMeter {
 public:
-    /// Throws what `rate_ratio` throws.
+    /// Takes the rate [Hz] and the field. Throws what `rate_ratio` throws.
     SoundQualityMeter(double rate, SoundField field);
     ~SoundQualityMeter();
     SoundQualityMeter(SoundQualityMeter&&) noexcept;
@@ -33,7 +33,7 @@ public:
     /// Takes the next sound pressures.
     void push(std::span<const double> pressures);  // [Pa]
 
-    /// Ends the sound.
+    /// Ends the sound and returns its quality.
     SoundQuality finish();
 
 private:
@@ -41,7 +41,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Does a third-octave band lie wholly below half the rate [Hz]?
+/// Says whether a third-octave band lies wholly below half the rate [Hz].
 bool holds_third_octave(double rate, std::size_t band);
 
 }  // namespace stridor::sound

@@ -11,22 +11,23 @@
 
 namespace stridor::sound {
 
-/// Roughness [asper] over time by the model of Daniel and Weber (1997): what a listener finds rough in fluctuations of
-/// some 15 to 300 Hz. 1 asper: 1 kHz, 60 dB, wholly modulated in amplitude with 70 Hz. docs/methods/sound-quality.md.
+/// Roughness [asper] over time by the model of Daniel and Weber (1997): how rough a listener finds fluctuations of some
+/// 15 to 300 Hz. 1 asper: 1 kHz, 60 dB, wholly modulated in amplitude with 70 Hz. docs/methods/sound-quality.md.
 ///
-/// It looks at 200 ms each 100 ms. The sound comes from the front; there is no other form of the model.
+/// It analyses 200 ms every 100 ms. The sound comes from the front; the model has no other form.
 class RoughnessMeter {
 public:
-    /// Before the first sample.
+    /// Begins before the first sample.
     RoughnessMeter();
 
     /// Takes sound pressures [Pa] at 48 kHz.
     void push(std::span<const double> pressures);
 
-    /// Mean over the frames [asper]; NaN of a sound shorter than 200 ms.
+    /// Returns the mean over the frames [asper]; NaN for a sound shorter than 200 ms.
     double mean() const;
 
-    /// What is exceeded in this share of the frames [asper], within 0.1 %; NaN of a sound shorter than 200 ms.
+    /// Returns the roughness that is exceeded in this share of the frames [asper], within 0.1 %; NaN for a sound
+    /// shorter than 200 ms.
     double exceeded(double share) const;
 
 private:

@@ -14,8 +14,8 @@ struct Summit {
     double height = 0.0;
 };
 
-/// The top of the parabola through a greatest value and its neighbours, at most half a step away; the middle value
-/// where the three do not bend down.
+/// Returns the top of the parabola through a greatest value and its neighbours, at most half a step away; the middle
+/// value if the three do not bend down.
 Summit parabola_summit(double left, double centre, double right);
 
 /// The strongest tone at an instant.
@@ -24,8 +24,7 @@ struct TonePoint {
     double frequency = 0.0;  // [Hz]
 };
 
-/// What a passage consists of: tones that last, and how its A-weighted power spreads over frequency. Formulas:
-/// docs/methods/ear.md.
+/// The tones of a passage, and how its A-weighted power spreads over frequency. Formulas: docs/methods/ear.md.
 struct Tones {
     double mean_square = 0.0;        // [unit²] A-weighted
     double presence = 0.0;           // [1] share of the power in tones, in the frame that nine tenths stay below
@@ -38,15 +37,16 @@ struct Tones {
 };
 
 /// Follows sinusoidal partials through short frames (McAulay and Quatieri 1986): lines that stand 9 dB out of their
-/// surroundings, in three frames or more. So a gliding sound keeps its harmonics, and none of them must win.
+/// surroundings, in three frames or more. So a gliding sound keeps its harmonics, and no harmonic must be the
+/// strongest.
 ///
 /// It keeps tables and buffers; each thread needs its own.
 class ToneFinder {
 public:
-    /// `rate` [Hz] of the samples.
+    /// Takes the `rate` [Hz] of the samples.
     explicit ToneFinder(double rate);
 
-    /// The tones of a passage of any length; times count from its beginning.
+    /// Returns the tones of a passage of any length; times count from its beginning.
     Tones find(std::span<const double> samples);
 
 private:

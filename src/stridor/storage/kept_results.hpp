@@ -17,35 +17,36 @@
 
 namespace stridor::storage {
 
-/// What a kept file's header says: "STRK".
+/// The identity in the header of a file of kept results: "STRK".
 inline constexpr Identity kept_results_identity{0x5354524b, 1};
 
-/// Finished parts of a long computation, by number, in one SQLite file: who is stopped or killed goes on from them.
+/// Finished parts of a long computation, by number, in one SQLite file, so that a stopped or killed run goes on from
+/// them.
 ///
 /// Tables: meta(key, value) with the text that says which computation it is; result(id, text). A kill loses the results
 /// of the last half second at most. Each page has a checksum.
 class KeptResults {
 public:
-    /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` is what
-    /// messages call the file. Throws `Error`: input if it is something else or another computation's, io if another
+    /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` names the
+    /// file in messages. Throws `Error`: input if the file is something else or another computation's, io if another
     /// process has it open or it cannot be read or written.
     KeptResults(const std::filesystem::path& file, const std::string& what, std::string word);
 
-    /// Writes what is not written yet.
+    /// Writes the results that are not written yet.
     ~KeptResults();
     KeptResults(const KeptResults&) = delete;
     KeptResults& operator=(const KeptResults&) = delete;
 
-    /// Number of results that were there when it was opened.
+    /// Returns the number of results that were there when the file was opened.
     std::size_t found() const { return found_.size(); }
 
-    /// One of those; nothing if it was not there. From any thread.
+    /// Returns one of those results, or `std::nullopt` if it was not there. May be called from any thread.
     std::optional<std::string> find(std::uint64_t number) const;
 
-    /// Keeps a result that was not there. From any thread; throws `Error` (io) where it cannot be written.
+    /// Keeps a result that was not there. May be called from any thread; throws `Error` (io) if it cannot be written.
     void keep(std::uint64_t number, std::string text);
 
-    /// Writes what is not written yet. Throws `Error` (io).
+    /// Writes the results that are not written yet. Throws `Error` (io).
     void flush();
 
 private:
@@ -62,18 +63,19 @@ private:
 };
 
 /// Finished parts of a long command, kept in the user's cache folder ($XDG_CACHE_HOME or ~/.cache, stridor/) until the
-/// command ends: the same command goes on from them.
+/// command ends. The same command goes on from them.
 class CommandCache {
 public:
-    /// `command` names the file, `what` is all that decides the results. Where nothing can be kept (no such folder,
-    /// another process has it) the work is done without, and `note` is told so, as it is told what was found.
+    /// Opens the cache. `command` names the file, `what` is all that decides the results. If nothing can be kept (no
+    /// such folder, another process has the file) the work is done without a cache, and `note` is told so. `note` is
+    /// also told what was found.
     CommandCache(const std::string& command, const std::string& what,
                  const std::function<void(const std::string&)>& note);
 
-    /// Nothing where nothing can be kept.
+    /// Returns the kept results, or null if nothing can be kept.
     KeptResults* results() { return results_.get(); }
 
-    /// The command has its result: removes the file.
+    /// Removes the file: the command has its result.
     void finish();
 
 private:

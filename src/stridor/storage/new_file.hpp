@@ -10,12 +10,11 @@
 
 namespace stridor::storage {
 
-// Files that are not finished, and how to tell those of the dead from those of the living.
+// Unfinished files, and how to tell those of dead processes from those of living ones.
 //
-// A temporary is called ".stridor-HOST-PROCESS-NUMBER.tmp" and is locked by whoever writes it, until it has its own
-// name. The system takes the lock from a process that dies, however it dies. So a file of such a name, of this host
-// and this user, that nobody has locked, was left behind and may go. Where a file system knows no locks nothing is ever
-// removed.
+// A temporary file is called ".stridor-HOST-PROCESS-NUMBER.tmp" and is locked by its writer until it has its own name.
+// The system releases the lock of a process that dies in any way. So a file of such a name, of this host and this user,
+// that nobody has locked, was left behind and may be removed. On a file system without locks nothing is ever removed.
 
 /// A new file under a temporary name. It is neither renamed nor removed by itself.
 struct Temporary {
@@ -24,30 +23,29 @@ struct Temporary {
     Descriptor lock;  // the same open file: keeps the lock while `file` is closed and renamed; to be closed after that
 };
 
-/// Begins a file in a folder, and removes what dead processes left there. Throws `Error` (io); `shown` is what it
-/// calls the file.
+/// Begins a file in a folder, and removes the files that dead processes left there. Throws `Error` (io), which calls
+/// the file `shown`.
 Temporary begin_temporary(const std::filesystem::path& folder, const std::string& shown);
 
-/// Throws `Error` (io) where the folder of a file that is to be written is not there.
+/// Throws `Error` (io) if the folder of a file to be written does not exist.
 void expect_folder_of(const std::filesystem::path& file);
 
-/// Removes what dead processes left in a folder. What cannot be removed stays.
+/// Removes the files that dead processes left in a folder. A file that cannot be removed stays.
 void remove_leftovers(const std::filesystem::path& folder);
 
-/// A folder of this process where the system keeps temporary files (TMPDIR), for a file that another program needs by
-/// name.
+/// A folder of this process among the system's temporary files (TMPDIR), for a file that another program needs by name.
 ///
-/// It is called "stridor-HOST-PROCESS-NUMBER", is locked likewise, and goes with all that is in it: at its end, or,
-/// where the process dies, as soon as another one makes such a folder.
+/// It is called "stridor-HOST-PROCESS-NUMBER" and is locked like a temporary file. It is removed with its content at
+/// the end or, if the process dies, by the next process that makes such a folder.
 class PrivateFolder {
 public:
-    /// Throws `Error` (io).
+    /// Makes the folder. Throws `Error` (io).
     PrivateFolder();
     ~PrivateFolder();
     PrivateFolder(const PrivateFolder&) = delete;
     PrivateFolder& operator=(const PrivateFolder&) = delete;
 
-    /// Where it stands.
+    /// Returns its path.
     const std::filesystem::path& path() const { return path_; }
 
 private:
@@ -57,13 +55,13 @@ private:
 
 /// A file that is written in pieces and has its name only once it is whole and on the disk.
 ///
-/// It stands under a temporary name first, and is removed unless `keep` gave it its own. What fails throws `Error` (io)
-/// with the name the user knows and the reason.
+/// It stands under a temporary name first, and is removed unless `keep` gives it its own. A failure throws `Error` (io)
+/// with the name that the user knows and the reason.
 class NewFile {
 public:
-    /// Begins a file under a temporary name that does not exist yet; `shown` is what errors call it.
+    /// Begins a file under a temporary name that does not exist yet; errors call it `shown`.
     NewFile(std::filesystem::path temporary, std::string shown);
-    /// Goes on with one that is locked.
+    /// Goes on with a temporary file that is already locked.
     NewFile(Temporary begun, std::string shown);
     ~NewFile();
     NewFile(NewFile&& other) noexcept;
@@ -72,9 +70,9 @@ public:
     /// Adds bytes at the end.
     void write(std::string_view bytes);
 
-    /// The descriptor, for what writes by itself.
+    /// Returns the descriptor, for a library that writes by itself.
     int number() const { return descriptor_.number(); }
-    /// The name it stands under until `keep`.
+    /// Returns its name until `keep`.
     const std::filesystem::path& temporary() const { return temporary_; }
 
     /// Brings everything to the disk and closes the file; nothing may be written afterwards.
@@ -83,7 +81,7 @@ public:
     /// Renames the finished file, over another one if need be, and brings the folder to the disk.
     void keep(const std::filesystem::path& name);
 
-    /// What was written so far.
+    /// Returns the number of bytes written so far.
     std::uint64_t size() const { return size_; }  // [bytes]
 
 private:
@@ -94,20 +92,20 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// A folder of files that appears under its name only as a whole; what had the name before goes then. Gone without a
-/// trace if it is never committed. One process at a time may make a folder of a name.
+/// A folder of files that appears under its name only as a whole and replaces an older one of that name. Without a
+/// commit it leaves no trace. Only one process at a time may make a folder of a name.
 class WholeFolder {
 public:
-    /// Begins an empty one beside the name. Throws `Error` (io).
+    /// Begins an empty folder beside the name. Throws `Error` (io).
     explicit WholeFolder(const std::filesystem::path& path);
     ~WholeFolder();
     WholeFolder(const WholeFolder&) = delete;
     WholeFolder& operator=(const WholeFolder&) = delete;
 
-    /// The name it has until then.
+    /// Returns its name until `commit`.
     const std::filesystem::path& temporary() const { return temporary_; }
 
-    /// Brings it to the disk and gives it its name. Throws `Error` (io).
+    /// Brings the folder to the disk and gives it its name. Throws `Error` (io).
     void commit();
 
 private:

@@ -7,23 +7,23 @@
 #include <string>
 #include <utility>
 
-/// Waiting for somebody else, whom nobody can make hurry.
+/// Bounded waits for another process.
 namespace stridor::storage {
 
-/// What a wait listens to, and whom it tells.
+/// How a wait is ended, and who is told about it.
 struct WaitOptions {
     std::stop_token stop{};                                // ends it
-    std::function<void(const std::string& words)> note{};  // after a second: who is waited for, and how long at most
+    std::function<void(const std::string& words)> note{};  // after a second: who is waited for, how long at most
 };
 
 /// One wait: it has a bound, says after a second what it waits for, and ends on request.
 class Waiting {
 public:
-    /// Begins, with a bound.
+    /// Begins a wait of at most `longest`.
     Waiting(WaitOptions options, std::chrono::milliseconds longest) : options_(std::move(options)), longest_(longest) {}
 
-    /// Waits a moment, from a hundredth of a second on ever longer ones; false once the bound is reached. `whom` is
-    /// said after a second: "process 17 of host n2, which takes over the store". Throws `Error` (interrupted) on
+    /// Waits a moment, from a hundredth of a second on ever longer; returns false once the bound is reached. `whom` is
+    /// told after a second: "process 17 of host n2, which takes over the store". Throws `Error` (interrupted) on
     /// request.
     bool goes_on(const std::string& whom);
 
@@ -37,10 +37,11 @@ private:
     bool has_told_ = false;
 };
 
-/// Looks on, by the clock of this machine, for how long something stays as it is.
+/// Measures, by the clock of this machine, for how long something stays unchanged.
 class Unchanged {
 public:
-    /// Tells how long what is looked at has been in this state; `std::nullopt` where that changed since the last look.
+    /// Returns for how long the watched thing has been in this state, or `std::nullopt` if it changed since the last
+    /// look.
     std::optional<std::chrono::steady_clock::duration> look(const std::string& state);
 
 private:

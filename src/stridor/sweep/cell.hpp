@@ -24,8 +24,8 @@ struct Motion;
 
 namespace stridor::sweep {
 
-/// One number of a cell. What a cell keeps, the store's columns, CSV, netCDF, JSON and what a chart can draw all come
-/// from this table: the figures of the evidence (analysis/evidence), then those of the run.
+/// One number of a cell. The content of a cell, the store's columns, CSV, netCDF, JSON and the quantities that a chart
+/// can draw all come from this table: the figures of the evidence (analysis/evidence), then those of the run.
 struct CellFigure {
     std::string_view name;      // a word of lower-case letters, digits and underscores
     std::string_view unit;      // "1", "Hz", "dB re 1e-9 m/s"
@@ -33,23 +33,23 @@ struct CellFigure {
     std::size_t place = 0;      // in `Cell::figures`
 };
 
-/// All figures, in the order of files.
+/// Returns all figures, in the order of files.
 std::span<const CellFigure> cell_figures();
 
-/// The figure with this name; nothing if there is none.
+/// Returns the figure with this name, or null if there is none.
 const CellFigure* find_cell_figure(std::string_view name);
 
-/// The figure with a name that is known to be one.
+/// Returns the figure with a name that must be one.
 const CellFigure& cell_figure(std::string_view name);
 
-/// What the figures of a cell are taken from.
+/// The source of a cell's figures.
 struct JudgedRun {
     const analysis::Evidence& evidence;           // of the cell's direction
-    const analysis::SlidingStability& stability;  // likewise
+    const analysis::SlidingStability& stability;  // of the cell's direction
     const integration::Motion& motion;
 };
 
-/// The values of all figures, shape [figure].
+/// Returns the values of all figures, shape [figure].
 std::vector<double> figures_of(const JudgedRun& run);
 
 /// How a cell ended. Only a done cell has figures; the others are drawn hatched and never guessed.
@@ -63,7 +63,7 @@ enum class Status : std::uint8_t {
 
 inline constexpr std::array<std::string_view, 5> status_names{"done", "invalid", "step_limit", "diverged", "failed"};
 
-/// Do the starts of a cell lead to the same verdict?
+/// Whether the starts of a cell lead to the same verdict.
 enum class Agreement : std::uint8_t {
     agree,                   // they do, or there is one start only
     differ,                  // to different ones, but not to quiet and noise
@@ -72,7 +72,7 @@ enum class Agreement : std::uint8_t {
 
 inline constexpr std::array<std::string_view, 3> agreement_names{"agree", "differ", "quiet_unless_disturbed"};
 
-/// What one start of a cell led to.
+/// The verdict that one start of a cell led to.
 struct StartVerdict {
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
@@ -80,7 +80,7 @@ struct StartVerdict {
     bool operator==(const StartVerdict&) const = default;
 };
 
-/// What is kept of one cell in one direction.
+/// The kept result of one cell in one direction.
 struct Cell {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -93,10 +93,10 @@ struct Cell {
     std::vector<double> figures;  // by `cell_figures`; empty unless done
 };
 
-/// A figure of a cell, in its unit; `Cell::unknown` where it has none.
+/// Returns a figure of a cell, in its unit; `Cell::unknown` if the cell has none.
 double figure_of(const Cell& cell, const CellFigure& figure);
 
-/// Likewise, by its name, which must be that of a figure.
+/// Returns the figure of a cell with this name, which must be that of a figure.
 double figure_of(const Cell& cell, std::string_view name);
 
 /// Puts a figure into a cell, in its unit.
@@ -108,71 +108,72 @@ struct IndexedCell {
     Cell cell;
 };
 
-/// The computed cells of a sweep, wherever they are kept: those of a large chart do not fit into memory.
+/// The computed cells of a sweep, in memory or in a file: those of a large chart do not fit into memory.
 class ComputedCells {
 public:
     virtual ~ComputedCells() = default;
 
-    /// Shows those with first <= index < last, in index order, one at a time.
+    /// Shows the cells with first <= index < last, in index order, one at a time.
     virtual void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) = 0;
 
-    /// The same for one who looks at no other figures than these: the others may be missing. Reading few of them from a
-    /// file is several times as fast.
+    /// Shows these cells to a caller that reads only these figures: the others may be missing. Reading few of them from
+    /// a file is several times as fast.
     virtual void visit_figures(std::size_t first, std::size_t last, std::span<const CellFigure> figures,
                                const std::function<void(IndexedCell&)>& use);
 };
 
-/// Cells kept in memory; in index order.
+/// Returns cells kept in memory; they must be in index order.
 std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells);
 
-/// What is known of every cell of a chart, computed or inferred.
+/// The verdict on a cell of a chart, computed or inferred.
 struct CellVerdict {
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
     classification::Quiet quiet = classification::Quiet::no;                  // why, if the category is none
     Agreement agreement = Agreement::agree;
-    std::uint8_t shown_start = 0;  // the start of which it is, into study.starts; 0 if there are none
+    std::uint8_t shown_start = 0;  // the start of this verdict, into study.starts; 0 if there are none
 };
 
-/// What a chart shows of a cell.
+/// Returns the verdict that a chart shows of a cell.
 CellVerdict verdict_of(const Cell& cell);
 
-/// The index of a cell where there is one for each cell (`most_cells`).
+/// The index of a cell in lists with one entry for each cell (`most_cells`).
 using CellIndex = std::uint32_t;
 
 /// A finished sweep; cells in index order (see `place_of`).
 struct SweepResult {
     Study study;
     std::vector<CellVerdict> cells;
-    std::vector<CellIndex> sources{};  // the computed cell each takes after, itself unless inferred; empty: itself
+    std::vector<CellIndex> sources{};           // the computed cell of each, itself unless inferred; empty: itself
     std::shared_ptr<ComputedCells> computed{};  // with their figures
 };
 
-/// A sweep that computed every cell, kept in memory; shape [cell].
+/// Returns a sweep with every cell computed, kept in memory; shape [cell].
 SweepResult complete(Study study, std::vector<Cell> cells);
 
-/// The computed cell that a cell takes after; itself unless it was inferred.
+/// Returns the computed cell from which a cell was inferred; the cell itself if it was computed.
 std::size_t source_of(const SweepResult& result, std::size_t index);
 
-/// Where the verdict of a cell comes from: 0 computed, 1 inferred.
+/// The source of a cell's verdict: 0 computed, 1 inferred.
 inline constexpr std::array<std::string_view, 2> source_names{"computed", "inferred"};
 
-/// Was the cell inferred from its neighbours (`refine`)? It then has a status and a category, and no figures.
+/// Says whether the cell was inferred from its neighbours (`refine`). It then has a status and a category, and no
+/// figures.
 bool is_inferred(const SweepResult& result, std::size_t index);
 
-/// Number of cells that were not inferred.
+/// Returns the number of cells that were not inferred.
 std::size_t computed_count(const SweepResult& result);
 
-/// The cell at an index, which was not inferred.
+/// Returns the cell at an index, which must not be inferred.
 Cell computed_cell(const SweepResult& result, std::size_t index);
 
-/// One figure of every cell: of an inferred one that of the cell it takes after; shape [cell].
+/// Returns one figure of every cell; for an inferred cell, that of its computed cell; shape [cell].
 std::vector<double> figure_values(const SweepResult& result, const CellFigure& figure);
 
-/// The place of a cell with the start that it shows.
+/// Returns the place of a cell with the start that it shows.
 CellPlace shown_place(const SweepResult& result, std::size_t index);
 
-/// Throws `Error` (input, numerical) where no cell has a result, for the reason of the first.
+/// Throws `Error` (input, numerical) if no cell has a result, with the reason of the first.
 void require_result(const SweepResult& result);
 
 }  // namespace stridor::sweep

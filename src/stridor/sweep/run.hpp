@@ -11,7 +11,7 @@
 
 namespace stridor::sweep {
 
-/// How far a sweep is.
+/// The progress of a sweep.
 struct Progress {
     std::size_t done = 0;   // [1] cells finished, those of earlier runs included
     std::size_t total = 0;  // [1] cells to be computed, as far as known: refinement finds more as it goes
@@ -24,10 +24,10 @@ struct RunOptions {
     crew::CrewMaker crew = crew::thread_crews();    // who computes
     std::stop_token stop;                           // asks for an early end
     std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
-    std::function<void()> round;          // called likewise whenever a round of refinement is done and kept and another
+    std::function<void()> round;          // called from there, too, when a round of refinement is kept and another
                                           // follows; without it no round waits for the end of the one before
-    std::size_t cells_per_commit = 4096;  // [1] so many finished cells, or
-    double seconds_per_commit = 0.5;      // [s] so much time, may be lost to a kill
+    std::size_t cells_per_commit = 4096;  // [1] finished cells after which they are written,
+    double seconds_per_commit = 0.5;      // [s] or time after which: a kill loses no more
     Share share{};                        // compute the cells of this share only
 };
 
@@ -44,14 +44,13 @@ struct RunReport {
     Progress progress;         // at its end
 };
 
-/// Computes the cells that are not kept yet, on all processors, and has each kept as it is finished. Of a refined
-/// study only the cells that refinement asks for (refinement.hpp); of a share only its own, as far as what is kept
-/// tells that they are needed.
+/// Computes the cells that are not kept yet, on all processors, and keeps each as it is finished. In a refined study
+/// these are only the cells that refinement asks for (refinement.hpp). In a share these are only its own cells, as far
+/// as the kept cells show that they are needed.
 ///
 /// A stop request ends it within a fraction of a second with all finished points saved. The same study gives the same
-/// cells, bit for bit, for every crew and however often it was stopped or killed. Memory depends on the
-/// number of cells, never on the simulated time. What the crew, the keeper or a callback throws comes out of here, once
-/// the crew has ended.
+/// cells, bit for bit, for every crew and after any number of stops and kills. Memory depends on the number of cells,
+/// never on the simulated time. Throws the errors of the crew, the keeper and the callbacks, once the crew has ended.
 RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options = {});
 
 }  // namespace stridor::sweep

@@ -11,14 +11,14 @@
 
 /// Multistability: one cell run from several starts.
 ///
-/// A contact may have several motions, and which one it ends in depends on how it began. A cell shows the motion of its
+/// A contact may have several motions, and its beginning decides in which one it ends. A cell shows the motion of its
 /// worst start: slides, then sticks, locks, no result, undecided, creak, squeak, squeal; of equals the first start. So
-/// a cell is quiet only where every start is. Whatever sums up starts or directions goes by this order. That of the
+/// a cell is quiet only if every start is. All summaries of starts or directions use this order. The order of the
 /// noises is one of evidence, from the motion whose pattern is least established to the most regular one; it is not one
 /// of sound pressure.
 namespace stridor::sweep {
 
-/// The names of starts, by parameters::Initial: the choices of run.initial.
+/// Returns the names of starts, by parameters::Initial: the choices of run.initial.
 std::span<const std::string_view> start_names();
 
 /// The words of all verdicts: the categories, the statuses of cells without one, and `locks`, which is no quiet `none`.
@@ -31,25 +31,26 @@ inline constexpr auto verdict_words = [] {
     return words;
 }();
 
-/// The number of a verdict's word in `verdict_words`.
+/// Returns the number of a verdict's word in `verdict_words`.
 std::size_t number_of(const StartVerdict& verdict);
 
-/// The verdict with this word; a `none` slides.
+/// Returns the verdict with this word; a `none` slides.
 StartVerdict verdict_of(std::size_t number);
 
-/// "squeal", "locks", or the status where there is no category: "failed".
+/// Returns "squeal", "locks", or the status if there is no category: "failed".
 std::string_view word(const StartVerdict& verdict);
 
-/// The first of the worst verdicts.
+/// Returns the place of the first of the worst verdicts.
 std::size_t worst(std::span<const StartVerdict> verdicts);
 
-/// How the verdicts of one cell, one at least, stand to each other.
+/// Returns how the verdicts of one cell, at least one, agree.
 Agreement agreement(std::span<const StartVerdict> verdicts);
 
-/// The start of which a cell has its figures: an index into study.starts, 0 if it has none.
+/// Returns the start from which a cell has its figures: an index into study.starts, 0 if it has none.
 std::size_t shown_start(const Cell& cell);
 
-/// A cell from the same cell run from each start (at least one): the worst one's figures, and the verdicts of all.
+/// Returns one cell from the same cell run from each start (at least one): the worst one's figures, and the verdicts of
+/// all.
 Cell joined(std::vector<Cell> by_start);
 
 }  // namespace stridor::sweep

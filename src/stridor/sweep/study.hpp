@@ -13,10 +13,10 @@ namespace stridor::sweep {
 using parameters::Scale;
 using parameters::scale_names;
 
-/// Most points of an axis: more are a slip of the keyboard.
+/// Most points of an axis: more are a typing error.
 inline constexpr int most_points = 65536;
 
-/// Most cells of a study: what a sweep remembers of each is counted in 32 bits.
+/// Most cells of a study: a sweep counts them in 32 bits.
 inline constexpr std::size_t most_cells = 4'000'000'000;
 
 /// One axis of a chart: a quantity of the case and the values it takes, rising, both ends included.
@@ -31,7 +31,7 @@ struct Axis {
 /// Coarsest base grid of a refined chart: every 2^6 = 64th point.
 inline constexpr int most_refinement = 6;
 
-/// Value number `index` of an axis, 0 <= index < points: the same bits on every machine, ends exact.
+/// Returns value number `index` of an axis, 0 <= index < points, with the same bits on every machine and exact ends.
 double value_at(const Axis& axis, int index);
 
 /// A chart to be computed: a case, two of its quantities as axes, and the directions to look at. With one axis only, y
@@ -48,30 +48,31 @@ struct Study {
     std::vector<parameters::Initial> starts;  // each cell is run from all of them; empty: from the case's own
 };
 
-/// The y axis of a study over x alone: one point, a quantity that x leaves alone at the case's own value.
+/// Returns the y axis of a study over x alone: one point, a quantity other than x at the case's own value.
 Axis resting_axis(const parameters::Case& c, const Axis& x);
 
-/// Does x alone vary?
+/// Says whether x alone varies.
 bool has_one_axis(const Study& study);
 
-/// The base case's own value of an axis' quantity, of several joints the first one's; of the velocity of a constant
-/// drive its magnitude, for the directions give its sign.
+/// Returns the base case's own value of an axis' quantity, with several joints that of the first. For the velocity of a
+/// constant drive it is the magnitude, since the directions give its sign.
 double own_value(const Study& study, const Axis& axis);
 
-/// Do the base case's own values lie within both axes? Where joints differ in one, there is no one place.
+/// Says whether the base case's own values lie within both axes. If joints differ in one of them, there is no single
+/// place.
 bool holds_design(const Study& study);
 
-/// Number of cells: x.points * y.points * directions.
+/// Returns the number of cells: x.points * y.points * directions.
 std::size_t cell_count(const Study& study);
 
-/// How many directions one run gives the cells of: one with a constant drive, else all of the study.
+/// Returns the number of directions whose cells one run gives: one with a constant drive, else all of the study.
 std::size_t directions_per_run(const Study& study);
 
-/// The run that gives a cell, by the index of its first cell: the same place in the first direction of those that it
-/// gives.
+/// Returns the run that gives a cell, by the index of its first cell: the same place in the first direction that the
+/// run gives.
 std::size_t run_of(const Study& study, std::size_t index);
 
-/// Where a cell stands: index = (direction * y.points + iy) * x.points + ix.
+/// The place of a cell: index = (direction * y.points + iy) * x.points + ix.
 struct CellPlace {
     std::size_t direction = 0;  // into study.directions
     int iy = 0;
@@ -79,35 +80,34 @@ struct CellPlace {
     std::size_t start = 0;  // into study.starts, if it has any; no part of the index
 };
 
-/// The place of a cell by its index, below `cell_count`; its start is 0.
+/// Returns the place of a cell by its index, below `cell_count`; its start is 0.
 CellPlace place_of(const Study& study, std::size_t index);
 
-/// The index of a place.
+/// Returns the index of a place.
 std::size_t index_of(const Study& study, const CellPlace& place);
 
-/// The case of one cell: the base case with the axes' values, the direction and the start put in.
+/// Returns the case of one cell: the base case with the axes' values, the direction and the start set.
 parameters::Case case_at(const Study& study, const CellPlace& place);
 
-/// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise,
+/// Throws `Error` (input) for an axis that is not a quantity of this case, has an end outside its range, does not rise,
 /// has too few or too many points or a logarithm of something not positive; for more than `most_cells` cells; for two
-/// equal axes, no direction or the
-/// same twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong
-/// with the case in every cell, whatever the axes say.
+/// equal axes, no direction, the same direction or start twice, an unknown quantity to draw, a refinement beyond
+/// `most_refinement`; and for a fault of the case in every cell, whatever the axes say.
 void check(const Study& study);
 
-/// A quick look at a study: at most 64 by 64 points, refined; of a constant drive a quarter of the simulated time,
-/// judged by its later half; of a sinusoidal one the first two periods. Cells near boundaries, whose motion settles
-/// late or is irregular, may get another verdict.
+/// Returns a quick form of a study: at most 64 by 64 points, refined; with a constant drive a quarter of the simulated
+/// time, judged by its later half; with a sinusoidal one the first two periods. Cells near boundaries, whose motion
+/// settles late or is irregular, may get another verdict.
 Study preview(Study study);
 
-/// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes
-/// set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs to
-/// exactly one such text. The title and the quantities to draw are not in it, nor the sign of a constant drive's
-/// velocity: the directions give it.
+/// Returns all that decides the results, as lines of "key = value": the canonical case without the two quantities that
+/// the axes set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs
+/// to exactly one such text. The text holds neither the title nor the quantities to draw, nor the sign of a constant
+/// drive's velocity: the directions give it.
 std::string canonical_text(const Study& study);
 
-/// The command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...", bit for bit, since
-/// numbers are written so that they read back as the same.
+/// Returns the command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...". The result has
+/// the same bits, since the numbers read back as the same.
 std::string reproduce_command(const Study& study, const CellPlace& place, const std::string& file);
 
 }  // namespace stridor::sweep

@@ -18,28 +18,29 @@ namespace stridor::sweep {
 
 // The work of a crew whose tasks are runs of an engine.
 
-/// Computes one task; nothing if it was stopped. Several threads call it at once, each with its own workspace.
+/// Computes one task; returns `std::nullopt` if it was stopped. Several threads call it at once, each with its own
+/// workspace.
 using Simulating = std::function<std::optional<std::string>(const crew::Task& task, const std::stop_token& stop,
                                                             integration::Workspace& workspace)>;
 
-/// A work of this text (`crew::Work`). What `compute` refers to must outlive the crew.
+/// Returns a work of this text (`crew::Work`). The references of `compute` must outlive the crew.
 crew::Work simulating_work(std::string text, Simulating compute);
 
-/// The runs that nobody was given yet, in index order: a store is filled ten times as fast in that order as in any.
+/// The runs that were not given to anybody yet, in index order: a store is filled ten times as fast in that order.
 ///
 /// It needs two bits for each run that could be on it.
 class Agenda {
 public:
-    /// For runs whose index is below `bound`, none of them on it.
+    /// Begins empty, for runs whose index is below `bound`.
     explicit Agenda(std::size_t bound) : waiting_(bound), was_added_(bound) {}
 
-    /// Puts a run on it, unless it was on it before.
+    /// Adds a run, unless it was added before.
     void add(std::size_t run);
 
-    /// Takes so many runs off it, or all that are left, those with the lowest indices.
+    /// Removes and returns the `most` runs with the lowest indices, or all that are left.
     std::vector<std::size_t> next(std::size_t most);
 
-    /// Number of runs that are on it.
+    /// Returns the number of runs that are left.
     std::size_t left() const { return left_; }
 
 private:
@@ -49,14 +50,14 @@ private:
     std::size_t cursor_ = 0;  // none below it waits
 };
 
-/// A task is a run by the index of its first cell, and its result are the cells that it gives (`evaluate_run`). The
-/// study must outlive the crew.
+/// Returns the work of a study: a task is a run by the index of its first cell, and its result is the cells that it
+/// gives (`evaluate_run`). The study must outlive the crew.
 crew::Work work_of(const Study& study);
 
-/// Cells as bytes.
+/// Returns cells as bytes.
 std::string packed(std::span<const Cell> cells);
 
-/// Out of bytes, bit for bit. Throws `Error` (io) where they are not those of cells.
+/// Returns the cells in these bytes, bit for bit. Throws `Error` (io) if the bytes are not those of cells.
 std::vector<Cell> unpacked_cells(std::string_view bytes);
 
 }  // namespace stridor::sweep

@@ -10,22 +10,22 @@ namespace stridor::verification {
 // Stick-slip of a mass on a belt, undamped: m x'' + k x = T, N = F. With w0 = sqrt(k/m), D = (mu_s - mu_d) F / k and
 // lambda = w0 D / V it sticks for 2 lambda / w0 and slips for 2 (pi - atan lambda) / w0.
 
-/// How long it sticks in each period, from lambda [1] and w0 [rad/s].
+/// Returns how long it sticks in each period [s], from lambda [1] and w0 [rad/s].
 double belt_stick_time(double lambda, double w0);  // [s]
 
-/// Likewise, how long it slips.
+/// Returns how long it slips in each period [s], from lambda [1] and w0 [rad/s].
 double belt_slip_time(double lambda, double w0);  // [s]
 
-/// [s] the sum of both.
+/// Returns the period [s], the sum of both.
 double belt_period(double lambda, double w0);
 
-/// [1] the share of the period that it sticks; the same for every w0.
+/// Returns the share of the period in which it sticks [1]; it does not depend on w0.
 double belt_stick_fraction(double lambda);
 
-/// Stick fractions of both engines.
+/// Returns the checks of the stick fractions of both engines.
 std::vector<Check> belt_checks();
 
-/// The mass on a belt too fast to be reached: it slips for ever, a damped oscillator about mu_d F / k.
+/// The mass on a belt that is too fast to be reached: it slips for ever, a damped oscillator about mu_d F / k.
 struct DampedSlip {
     double equilibrium = 0.0;  // [m] mu_d F / k
     double push = 0.0;         // [m/s] velocity beyond the equilibrium's at t = 0
@@ -33,10 +33,10 @@ struct DampedSlip {
     double rate = 0.0;         // [rad/s] w0 sqrt(1 - zeta^2)
 };
 
-/// [m] x(t) = equilibrium + push / rate exp(-decay t) sin(rate t).
+/// Returns x(t) = equilibrium + push / rate exp(-decay t) sin(rate t) [m].
 double displacement(const DampedSlip& slip, double time);
 
-/// The order of beta_2, observed from its errors at steps h and h / 2.
+/// Returns the checks of the order of beta_2, observed from its errors at steps h and h / 2.
 std::vector<Check> order_checks();
 
 // Den Hartog (1931): x'' + x = cos(g t + phase) - r sign(x') moves with amplitude sqrt(v^2 - r^2 u^2), where
@@ -45,7 +45,7 @@ std::vector<Check> order_checks();
 // Force excitation becomes base excitation, a mass on a shaken belt: with m = k = 1 and x2 = A sin(g t),
 // z = x1 - x2 obeys z'' + z = (g^2 - 1) A sin(g t) - r sign(z'). A = 1 / (g^2 - 1) gives a force of unit amplitude.
 
-/// [1] the closed form above.
+/// Returns the closed form above [1].
 double den_hartog_amplitude(double g, double r);
 
 /// One of Den Hartog's motions that never stop.
@@ -58,7 +58,7 @@ struct DenHartog {
 inline constexpr std::array<DenHartog, 3> den_hartog_motions{
     {{1.5, 0.2, 0.765942}, {1.5, 0.6, 0.400000}, {2.0, 0.4, 0.266667}}};
 
-/// Amplitudes of both engines.
+/// Returns the checks of the amplitudes of both engines.
 std::vector<Check> den_hartog_checks();
 
 }  // namespace stridor::verification

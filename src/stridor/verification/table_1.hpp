@@ -9,16 +9,16 @@
 #include <vector>
 
 /// Table 1 of Elmaian et al. (2012): the four columns under their sinusoidal drive, 1 s. Irregular motions depend on
-/// every rounding, so these are the exact engine's own digits, which every build of it repeats.
+/// every rounding, so these are the exact engine's own digits, which every build repeats.
 namespace stridor::verification {
 
 /// One column of Table 1.
 struct Table1Column {
     parameters::PaperCase which;
-    /// [1] of a share of time, against the exact engine: the largest of beta_2 at h = 1, 1/2, 1/4 and 1/8 us. It does
-    /// not fall with h: a step moves the instants of impacts, irregular motion forgets them within milliseconds, and
-    /// what is left is the spread of shares over 1 s. Halving h changes the shares by up to 0.0150 (quiet, which takes
-    /// one of two courses), 0.0064 (squeal), 0.0128 (squeak) and 0.0105 (creak).
+    /// [1] error of a share of time, against the exact engine: the largest of beta_2 at h = 1, 1/2, 1/4 and 1/8 us. It
+    /// does not fall with h: a step moves the instants of impacts, irregular motion forgets them within milliseconds,
+    /// and the spread of shares over 1 s remains. Halving h changes the shares by up to 0.0150 (quiet, which takes one
+    /// of two courses), 0.0064 (squeal), 0.0128 (squeak) and 0.0105 (creak).
     double beta_2_error;
     std::array<analysis::Rates, 2> rates;  // [1] going, coming; of the whole phase
 };
@@ -45,12 +45,12 @@ inline constexpr std::array<Table1Column, 4> table_1{{
 /// [1] the digits are stored to seven places.
 inline constexpr double table_1_exact_tolerance = 1e-6;
 
-/// [1] a quarter more than the error of beta_2 that was measured.
+/// Returns a quarter more than the measured error of beta_2 [1].
 constexpr double beta_2_tolerance(const Table1Column& column) {
     return 1.25 * column.beta_2_error;
 }
 
-/// The shares of both engines.
+/// Returns the checks of the shares of both engines.
 std::vector<Check> table_1_checks();
 
 /// Stick-slip of Table 1's squeak on a plate that moves with -0.1257 m/s, started stuck: a periodic motion, whose exact
@@ -67,11 +67,11 @@ inline constexpr std::array<StickSlip, 3> stick_slips{{
     {2000.0, .880442, 5.2618757e-3},
 }};
 
-/// Shares and periods of the exact engine.
+/// Returns the checks of shares and periods of the exact engine.
 std::vector<Check> constant_drive_checks();
 
 // The paper's system at Table 1's squeal: its modes, and where steady sliding loses its stability. Solved by an
-// independent program, to the digits that stand here.
+// independent program, to the digits given here.
 
 /// [Hz] natural frequencies of each contact state, without friction and damping.
 inline constexpr std::array slip_frequencies{429.17, 916.36};
@@ -94,10 +94,11 @@ inline constexpr double squeal_frequency = 592.0;  // [Hz]
 inline constexpr std::array<std::pair<double, double>, 5> flutter_onsets{
     {{60, .641}, {65, .5385}, {75, .378}, {80, .337}, {85, .404}}};
 
-/// Natural frequencies of the paper's squeal case in each contact state, within 1e-4 of themselves.
+/// Returns the checks of the natural frequencies of the paper's squeal case in each contact state, within 1e-4 of
+/// themselves.
 std::vector<Check> natural_frequency_checks();
 
-/// Onsets, growth and frequency of flutter, and what follows it, for the same case.
+/// Returns the checks of onsets, growth and frequency of flutter, and of the states beyond it, for the same case.
 std::vector<Check> stability_checks();
 
 }  // namespace stridor::verification

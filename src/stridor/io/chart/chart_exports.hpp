@@ -27,26 +27,26 @@ struct ChartFile {
 /// Returns all of them: pictures first.
 std::span<const ChartFile> chart_files();
 
-/// Cells above which a chart is large [1]: a CSV table of it is no use to anybody, and all figures take long.
+/// Cells above which a chart is large [1]: a CSV table of it is useless, and all figures take long.
 inline constexpr std::size_t many_cells = 1'000'000;
 
-/// What the user asks for, as texts; empty: what is usual.
+/// The user's request, as texts; empty: the usual files and figures.
 struct ExportTexts {
     std::vector<std::string> files;    // names of files
     std::vector<std::string> figures;  // "category", "status", names of figures, or "all"
 };
 
-/// What is written of a chart.
+/// The files and figures to be written of a chart.
 struct ChartExports {
     std::vector<ChartFile> files;            // in the order of `chart_files`, each once
     std::vector<sweep::CellFigure> figures;  // columns of the tables beside the verdict; in the order of all of them
-    std::string left_out;  // what is not written because the chart is large, a sentence; empty: nothing
+    std::string left_out;                    // content left out because the chart is large, a sentence; empty: none
 };
 
 /// Returns what is written of a chart of this study. Usual are the usual files with all figures; of a chart of more than
 /// `many_cells` those that are not for few, with the figures that are drawn.
 ///
-/// Throws `Error` (input) for a name that is none.
+/// Throws `Error` (input) for an unknown name.
 ChartExports chart_exports(const sweep::Study& study, const ExportTexts& texts);
 
 /// Says whether the file of that name is written.

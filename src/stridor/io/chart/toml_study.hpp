@@ -9,8 +9,8 @@
 
 namespace stridor::io {
 
-/// The axes that a command line gives (`read_axis_text`). Both empty: as the file has them. x alone: a diagram over x,
-/// whatever the file's y. y alone: beside the file's x.
+/// The axes on a command line (`read_axis_text`). Both empty: those of the file. x alone: a diagram over x, whatever
+/// the file's y. y alone: beside the file's x.
 struct AxisTexts {
     std::string x;
     std::string y;
@@ -27,16 +27,16 @@ struct AxisTexts {
 ///     starts = ["rest", "sliding"]
 ///
 /// `parameter`, in any spelling of `parameters::key_called`, `from`, `to` and `points` of both axes must be there;
-/// without any of y it is a diagram over x alone (`sweep::resting_axis`). Ends are in the unit of the axis's
-/// parameter, or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base
-/// values. Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the
-/// place of the file's, which then needs no [chart]. Throws what `read_case` throws.
+/// without any of y it is a diagram over x alone (`sweep::resting_axis`). Ends are in the unit of the axis's parameter,
+/// or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base values.
+/// Every value may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside the file replace its
+/// own; then it needs no [chart]. Throws what `read_case` throws.
 sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {});
 
-/// The same of a document that is parsed already.
+/// Reads a chart from a parsed document. Throws what `read_case` throws.
 sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes = {}, const CaseReaders& readers = {});
 
-/// The same from a file; "-" is standard input.
+/// Reads a chart from a file; "-" is standard input. Throws what `read_case` throws.
 sweep::Study read_study(const std::string& path, std::vector<std::string> overrides = {});
 
 }  // namespace stridor::io

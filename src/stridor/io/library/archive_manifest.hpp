@@ -18,32 +18,32 @@ namespace stridor::io {
 
 inline constexpr const char* manifest_name = "manifest.jsonl";
 
-/// The first line of a manifest of so many entries.
+/// Returns the first line of a manifest of `entries` entries.
 std::string manifest_opening(std::size_t entries);
 
-/// The line of an entry whose audio has so many bytes.
+/// Returns the line of an entry whose audio has `bytes` bytes.
 std::string manifest_line(noise_library::Entry entry, std::uint64_t bytes);
 
-/// The last line: the hash of all lines before it.
+/// Returns the last line: the hash of all lines before it.
 std::string manifest_closing(std::string_view lines);
 
-/// Throws `Error` (io) where an archive's manifest has not the hash that it ends with. One of the first schema has
+/// Throws `Error` (io) if an archive's manifest does not match the hash at its end. A manifest of the first schema has
 /// none.
 void expect_whole_manifest(TarReader& tar, const std::string& archive);
 
-/// Where in an archive audio stands.
+/// Returns the name of audio in an archive.
 std::string archive_member(const noise_library::AudioName& audio);
 
-/// An entry with what its audio must be.
+/// An entry with the properties that its audio must have.
 struct Announced {
     noise_library::Entry entry;
     std::uint64_t bytes = 0;
 };
 
-/// The entries of an archive, one by one, whoever made it.
+/// The entries of an untrusted archive, one by one.
 ///
-/// Everything throws `Error` (input) for what is no manifest: another first file, another schema, a line that is too
-/// long or no entry, a value that a user could not have written either.
+/// All calls throw `Error` (input) for a text that is not a manifest: another first file, another schema, a line that
+/// is too long or not an entry, a value that a user could not have written either.
 class Manifest {
 public:
     /// Goes to the archive's first file; `archive` is its name, for messages. The reader must outlive it.
@@ -52,10 +52,11 @@ public:
     Manifest(const Manifest&) = delete;
     Manifest& operator=(const Manifest&) = delete;
 
-    /// The next entry; nothing after the last.
+    /// Returns the next entry, or `std::nullopt` after the last.
     std::optional<Announced> next();
 
-    /// SHA-256 of the lines read, but the last one of a manifest with a hash; nothing may be read afterwards.
+    /// Returns the SHA-256 of the lines read, without the last one of a manifest with a hash; nothing may be read
+    /// afterwards.
     std::string digest();
 
     class Lines;

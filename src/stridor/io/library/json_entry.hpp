@@ -9,7 +9,7 @@
 
 namespace stridor::io::json_parts {
 
-/// What is known of an entry, by the names of its fields; documents as they are, figures left out.
+/// Returns the known values of an entry, by the names of its fields; documents as they are, figures left out.
 inline Json entry_object(const noise_library::Entry& entry) {
     Json object = Json::object();
     if (entry.id != 0) object["id"] = entry.id;

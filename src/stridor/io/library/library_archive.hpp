@@ -11,34 +11,35 @@
 #include <vector>
 
 /// Noise libraries in one file, to hand to a colleague: a tar archive whose first file, manifest.jsonl, holds a line
-/// per entry, and whose others are the audio. The format is docs/formats/library.md.
+/// per entry; the other files are the audio. The format is docs/formats/library.md.
 namespace stridor::io {
 
 /// Writes entries of a library, in their order, with their audio. The same entries give the same bytes.
 ///
-/// Throws `Error` (io) where audio is missing or damaged, or the file cannot be written; then there is no file.
+/// Throws `Error` (io) if audio is missing or damaged, or the file cannot be written; then there is no file.
 void export_library(const noise_library::Library& library, std::span<const noise_library::Entry> entries,
                     const std::filesystem::path& archive);
 
-/// The entries of an archive, without ids. Throws as `import_library` does.
+/// Returns the entries of an archive, without ids. Throws as `import_library` does.
 std::vector<noise_library::Entry> archived_entries(const std::filesystem::path& archive);
 
-/// Stages those of the wanted sounds that an archive has, whole.
+/// Stages the wanted sounds that an archive has, whole, and returns them.
 std::vector<noise_library::Staged> archived_audio(const std::filesystem::path& archive, noise_library::Intake& intake,
                                                   std::span<const noise_library::AudioName> wanted);
 
-/// What an import did.
+/// The result of an import.
 struct Import {
     std::vector<std::int64_t> added{};  // ids
-    std::size_t skipped = 0;            // entries that were there already, alike in all that people wrote
-    std::size_t heard_otherwise = 0;    // of them, those with another verdict by ear, which were not touched
+    std::size_t skipped = 0;            // entries that were there already, equal in all that people wrote
+    std::size_t heard_otherwise = 0;    // of them, those with another verdict by ear, which stay unchanged
 };
 
-/// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear
-/// either has: the library's stays.
+/// Adds the entries of an archive; all or none. An entry that the library has already is skipped, even if the verdicts
+/// by ear differ: the library's stays.
 ///
-/// Throws `Error` (input) for an archive that is not what it says, (io) for one whose manifest has not its hash:
-/// nothing of it then stays. No name in it is ever used as a path. Memory grows with the number of audio files alone.
+/// Throws `Error` (input) for an archive that is not what it claims to be, (io) for one whose manifest does not match
+/// its hash: then nothing of it stays. No name in it is ever used as a path. Memory grows with the number of audio
+/// files alone.
 Import import_library(noise_library::Library& library, const std::filesystem::path& archive,
                       const TarProgress& progress = {});
 

@@ -12,8 +12,8 @@
 
 /// Archives in the tar format: headers of 512 bytes, each followed by a file padded to such blocks.
 ///
-/// They are written by us in the ustar dialect (POSIX.1-1988), in bytes of our own choice, and read by libarchive,
-/// whoever wrote them.
+/// We write them in the ustar dialect (POSIX.1-1988), with fixed bytes, and read those of any writer through
+/// libarchive.
 namespace stridor::io {
 
 /// A file of an archive.
@@ -43,32 +43,32 @@ private:
     std::uint64_t written_ = 0;  // [bytes] of the file begun last
 };
 
-/// Is told how many bytes of an archive are read, of how many.
+/// Is told how many bytes of an archive are read, and of how many.
 using TarProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// What an archive of so many bytes may grow to when it is expanded [bytes]: audio hardly shrinks.
+/// Returns how large an archive of `size` bytes may become when it is expanded [bytes]: audio hardly shrinks.
 std::uint64_t longest_expanded(std::uint64_t size);
 
 /// Reads an archive file by file, a piece at a time: any dialect of tar, as it is or compressed by gzip, xz or zstd.
 ///
-/// What is no such archive, is cut short, lies about its sizes, holds links, devices or files with holes, or grows
-/// beyond `longest_expanded` throws `Error` (input). Memory does not grow with the archive. Names are for comparing
-/// alone: nothing keeps them below a folder.
+/// A file that is not such an archive, is truncated, lies about its sizes, holds links, devices or files with holes, or
+/// grows beyond `longest_expanded` throws `Error` (input). Memory does not grow with the archive. Use names for
+/// comparison only: they may lead out of any folder.
 class TarReader {
 public:
     explicit TarReader(const std::filesystem::path& file, TarProgress progress = {});
 
-    /// Bytes in memory as an archive, which must outlive it; `name` is for messages.
+    /// Reads bytes in memory as an archive; they must outlive this object. `name` is for messages.
     TarReader(std::string_view bytes, const std::string& name);
 
     ~TarReader();
     TarReader(const TarReader&) = delete;
     TarReader& operator=(const TarReader&) = delete;
 
-    /// Goes to the next file; nothing at the end.
+    /// Goes to the next file and returns it; `std::nullopt` at the end.
     std::optional<TarMember> next();
 
-    /// The next bytes of this file; nothing at its end.
+    /// Returns the next bytes of this file; empty at its end.
     std::string_view read();
 
 private:

@@ -4,7 +4,7 @@
 
 namespace stridor::io::structure {
 
-/// What a part vibrates by, and a sentence about each matrix that it does not.
+/// The matrices of a part, and a sentence about each matrix left out.
 struct PartMatrices {
     const ListedMatrix* stiffness = nullptr;
     const ListedMatrix* mass = nullptr;
@@ -12,11 +12,11 @@ struct PartMatrices {
     std::vector<std::string> notes{};
 };
 
-/// Chooses among all matrices of the files, which the result points into. Of several of one role that one counts whose
-/// whole name belongs to another's (KXX, MXX and not MUG1O), then that one which has as many rows as the stiffness.
-/// Place holders without entries never count.
+/// Chooses among all matrices of the files; the result points into them. If a role has several, the one counts whose
+/// whole name belongs to another's (KXX, MXX and not MUG1O), then the one with as many rows as the stiffness. Place
+/// holders without entries never count.
 ///
-/// Throws `Error` (input) where stiffness or mass is missing, or several are left.
+/// Throws `Error` (input) if stiffness or mass is missing, or if several are left.
 PartMatrices chosen_matrices(const std::vector<ListedMatrix>& matrices);
 
 }  // namespace stridor::io::structure

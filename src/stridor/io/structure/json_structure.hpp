@@ -8,11 +8,11 @@
 
 namespace stridor::io {
 
-/// What a part holds (schema stridor.part/1), in SI; with its frequencies and its contacts where they are known.
+/// Returns the content of a part (schema stridor.part/1), in SI; with its frequencies and its contacts unless null.
 std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
                       const reduction::PartVibration* vibration, const reduction::PartContacts* contacts = nullptr);
 
-/// What a reduction kept, and its errors (schema stridor.reduction/1).
+/// Returns the content of a reduction, and its errors (schema stridor.reduction/1).
 std::string reduction_json(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);
 
 }  // namespace stridor::io

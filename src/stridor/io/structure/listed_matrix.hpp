@@ -11,17 +11,17 @@
 
 namespace stridor::io::structure {
 
-/// What a matrix of a structure is.
+/// The role of a matrix in a structure.
 enum class MatrixRole { stiffness, mass, damping, structural_damping, other, untold };
 
-/// "stiffness", "mass" and so on.
+/// Returns "stiffness", "mass" and so on.
 std::string_view name_of(MatrixRole role);
 
-/// What Nastran's names tell: KAAX, MAAX, BAAX, K4AAX; any other (PAX, GPXX) is no matrix that a part vibrates by.
-/// Several names may begin alike: MXX is a mass, MUG1O is not. `chosen_matrices` tells them apart.
+/// Returns the role that Nastran's names tell: KAAX, MAAX, BAAX, K4AAX; any other matrix (PAX, GPXX) plays no part in a
+/// vibration. Several names may begin alike: MXX is a mass, MUG1O is not. `chosen_matrices` distinguishes them.
 MatrixRole role_of_name(std::string_view name);
 
-/// Which entries of a symmetric matrix a file lists.
+/// The entries of a symmetric matrix that a file lists.
 enum class Triangles {
     one,     // each pair of rows once, in any order
     both,    // each pair twice
@@ -31,38 +31,38 @@ enum class Triangles {
 /// A matrix as a file lists it.
 struct ListedMatrix {
     std::string file;    // for messages
-    std::string name{};  // its own, where it has one: "KAAX"
+    std::string name{};  // its own, if it has one: "KAAX"
     MatrixRole role = MatrixRole::untold;
     Triangles triangles = Triangles::untold;
     bool is_passed_over = false;    // rectangular, or complex: it has no entries
-    bool is_named_by_user = false;  // its role was said with it
+    bool is_named_by_user = false;  // the user gave its role
     Eigen::Index rows = 0;
     std::vector<Eigen::Triplet<double>> entries{};  // rows and columns from 0
-    std::vector<reduction::RowLabel> labels{};      // shape [row]; empty where the file has none
+    std::vector<reduction::RowLabel> labels{};      // shape [row]; empty if the file has none
 };
 
-/// Adds an entry with row and column from 1. Throws `Error` (input) at the place of the scanner for what lies outside
-/// of 2^31 - 1 rows.
+/// Adds an entry with row and column from 1. Throws `Error` (input) at the place of the scanner for a place beyond 2^31
+/// - 1 rows.
 void add_entry(ListedMatrix& matrix, const FieldScanner& scanner, std::int64_t row, std::int64_t column, double value);
 
-/// Gives rows to labels in the order in which they are met, and at the end that of node numbers.
+/// Gives rows to labels in the order in which they occur, and at the end in the order of node numbers.
 class LabelOrder {
 public:
     Eigen::Index row_of(const reduction::RowLabel& label);
-    /// Labels sorted by number and component (text that is no number behind), and the entries' rows with them.
+    /// Sorts the labels by number and component (text that is not a number last), and the entries' rows with them.
     void finish(ListedMatrix& matrix) const;
 
 private:
     std::map<reduction::RowLabel, Eigen::Index> rows_;
 };
 
-/// Both triangles of it. Throws `Error` (input) for an entry that stands twice, for a matrix that is not symmetric to
-/// 1e-10 of its diagonal, and for far more rows than entries.
+/// Returns both triangles of it. Throws `Error` (input) for an entry that stands twice, for a matrix that is not
+/// symmetric to 1e-10 of its diagonal, and for far more rows than entries.
 reduction::SparseMatrix symmetric_matrix(const ListedMatrix& matrix);
 
-/// Stiffness, mass and damping (which may be absent) in the stiffness' rows. Labels, where matrices have them, say
-/// which rows belong together. Throws `Error` (input) where a matrix has a row that the stiffness lacks: another model.
-/// Rows that Abaqus holds by a penalty (1e30 and more on the diagonal) are taken out.
+/// Returns stiffness, mass and damping (which may be absent) in the stiffness' rows. Labels, if matrices have them, say
+/// which rows belong together. Throws `Error` (input) if a matrix has a row that the stiffness lacks: another model.
+/// Rows that Abaqus holds by a penalty (1e30 and more on the diagonal) are removed.
 reduction::ElasticPart joined_part(ListedMatrix stiffness, const ListedMatrix& mass, const ListedMatrix* damping);
 
 }  // namespace stridor::io::structure

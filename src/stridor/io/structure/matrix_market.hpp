@@ -4,12 +4,12 @@
 
 namespace stridor::io::structure {
 
-/// Does a text begin as a Matrix Market file?
+/// Says whether a text begins as a Matrix Market file.
 bool is_matrix_market(std::string_view beginning);
 
-/// A real matrix in Matrix Market format (NIST, Boisvert, Pozo and Remington, 1996): coordinate or array, general or
-/// symmetric. Throws `Error` (input) for complex, pattern, skew-symmetric and rectangular ones, and for another number
-/// of entries than it says.
+/// Reads a real matrix in Matrix Market format (NIST, Boisvert, Pozo and Remington, 1996): coordinate or array, general
+/// or symmetric. Throws `Error` (input) for complex, pattern, skew-symmetric and rectangular ones, and if the number of
+/// entries differs from the stated one.
 ListedMatrix read_matrix_market(const StructureInput& input);
 
 }  // namespace stridor::io::structure

@@ -10,7 +10,7 @@
 
 namespace stridor::io::structure {
 
-/// An array as it stands in a file.
+/// An array as the file holds it.
 struct NumpyArray {
     std::string shown;                   // file and array, for messages: "k.npz: data"
     char kind = 'f';                     // NumPy's: f real, i and u whole, b truth, S bytes
@@ -22,17 +22,18 @@ struct NumpyArray {
     std::string_view bytes{};            // of all elements; they belong to the caller
 };
 
-/// Does a file begin as .npy does?
+/// Says whether a file begins as .npy does.
 bool is_numpy_array(std::string_view beginning);
 
-/// Reads the header. Throws `Error` (input) for what is no such file, for elements that are no numbers (complex,
-/// pickled, structured), more than two indices, and bytes that do not fit the shape.
+/// Reads the header. Throws `Error` (input) for any other file, for elements that are not numbers (complex, pickled,
+/// structured), more than two indices, and bytes that do not fit the shape.
 NumpyArray read_numpy_array(std::string_view bytes, const std::string& shown);
 
-/// All elements in the order of the file. Throws `Error` (input) for what is no number or not finite.
+/// Returns all elements in the order of the file. Throws `Error` (input) for an element that is not a number or not
+/// finite.
 std::vector<double> reals_of(const NumpyArray& array);
 
-/// The same as whole numbers. Throws `Error` (input) for other kinds.
+/// Returns all elements as whole numbers, in the order of the file. Throws `Error` (input) for other kinds.
 std::vector<std::int64_t> integers_of(const NumpyArray& array);
 
 }  // namespace stridor::io::structure

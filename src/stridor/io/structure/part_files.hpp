@@ -11,28 +11,29 @@ namespace stridor::io {
 /// The files that a user names.
 struct PartFiles {
     std::vector<std::string> files{};  // their kind is told by their bytes, or for CalculiX by their endings
-    std::string stiffness{};           // a matrix that does not say what it is, FILE or FILE:NAME; empty: none
+    std::string stiffness{};           // a matrix that does not name its role, FILE or FILE:NAME; empty: none
     std::string mass{};
     std::string damping{};
     std::string labels{};  // labels of rows: a table, or Ansys' mapping
 };
 
-/// Their names in a row, with commas between.
+/// Returns their names in a row, separated by commas.
 std::string origin(const PartFiles& files);
 
-/// Opens a file, or gives nothing where it is not there.
+/// Opens a file; returns `std::nullopt` if it does not exist.
 using FileOpener = std::function<std::optional<structure::StructureInput>(const std::string& path)>;
 
-/// A part from the files of a finite-element program: CalculiX (.sti, .mas, .dof and the deck .inp; naming one is
+/// Reads a part from the files of a finite-element program: CalculiX (.sti, .mas, .dof and the deck .inp; naming one is
 /// enough), Matrix Market, Abaqus, Nastran (.pch, .op4), Ansys (Harwell-Boeing and mapping), NumPy (.npz, .npy), in the
 /// units of the files.
 ///
-/// Throws `Error` (input) for what no reader knows, for a stiffness or mass that is missing or comes twice, for labels
-/// that do not fit, and whatever the readers refuse; `Error` (io) for a file that cannot be read. What it returns is
-/// not yet checked (`reduction::expect_sound`).
+/// Throws `Error` (input) for a file that no reader knows, for a stiffness or mass that is missing or comes twice, for
+/// labels that do not fit, and for all that the readers refuse; `Error` (io) for a file that cannot be read. The
+/// returned part is not yet checked (`reduction::expect_sound`).
 reduction::ElasticPart read_part(const PartFiles& files, const FileOpener& open);
 
-/// The same from the disk; only plain files are opened.
+/// Reads a part from plain files on the disk. Throws `Error` (input) for files that are not a part, (io) if they cannot
+/// be read.
 reduction::ElasticPart read_part(const PartFiles& files);
 
 }  // namespace stridor::io

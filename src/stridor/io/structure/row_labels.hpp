@@ -15,26 +15,26 @@ namespace stridor::io::structure {
 
 // Node sets as a file names them, one node after the other. Private to this folder.
 
-/// Gathers the node sets of one file in the order of their first mention. What all of them hold together is bounded: a
-/// line of a deck can ask for two million nodes.
+/// Collects the node sets of one file in the order of their first mention. Their total size is bounded: a line of a
+/// deck can ask for two million nodes.
 class SetTable {
 public:
-    /// Finds the set of this name, or begins it: `key` tells names apart, `name` is what it is called.
+    /// Finds the set of this name, or begins it: `key` distinguishes names, `name` is its own spelling.
     std::size_t place_of(const std::string& key, const std::string& name);
 
-    /// Finds the set of this key; `std::nullopt` where there is none.
+    /// Finds the set of this key; returns `std::nullopt` if there is none.
     std::optional<std::size_t> find(const std::string& key) const;
 
     /// Returns the nodes of a set so far.
     const std::vector<std::string>& nodes_of(std::size_t place) const { return sets_[place].nodes; }
 
-    /// Returns what is wrong where so many more nodes would be too many, or where there are too many names.
+    /// Returns the problem if `nodes` more nodes would be too many, or if there are too many names.
     std::optional<base::Problem> excess(std::size_t nodes) const;
 
     /// Adds a node to a set; there must be room for it (`excess`).
     void add(std::size_t place, std::string node);
 
-    /// Hands over all sets.
+    /// Returns all sets and keeps none.
     std::vector<reduction::NodeSet> take() { return std::move(sets_); }
 
 private:
@@ -43,21 +43,23 @@ private:
     std::size_t nodes_ = 0;  // [1] of all sets
 };
 
-/// What a table says of the rows of matrices that have no labels of their own.
+/// A table about the rows of matrices that have no labels of their own.
 struct RowTable {
     std::vector<reduction::RowLabel> labels;
     std::map<std::string, Eigen::Vector3d> positions;  // in the units of the table, or in m where its names have units
     std::vector<reduction::NodeSet> sets;
 };
 
-/// A component by name: 1 to 6, UX, UY, UZ, ROTX, ROTY, ROTZ, x, y, z; 0 for "", "0" and "none". Nothing for others.
+/// Returns a component by name: 1 to 6, UX, UY, UZ, ROTX, ROTY, ROTZ, x, y, z; 0 for "", "0" and "none"; else
+/// `std::nullopt`.
 std::optional<int> component_in(std::string_view text);
 
-/// Does a text begin with the names of such a table?
+/// Says whether a text begins with the names of such a table.
 bool is_row_table(std::string_view first_line);
 
 /// Reads a CSV whose lines are the rows of the matrices, in their order: `node`, `component`, and, if they are there,
-/// `x`, `y`, `z` and `set` (several with blanks between). Parted by commas, semicolons or tabs. Throws `Error` (input).
+/// `x`, `y`, `z` and `set` (several with blanks between). Separated by commas, semicolons or tabs. Throws `Error`
+/// (input).
 RowTable read_row_table(const StructureInput& input);
 
 }  // namespace stridor::io::structure

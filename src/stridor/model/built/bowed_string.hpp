@@ -18,31 +18,32 @@ struct BowedString {
     Coulomb friction{0.8, 0.3};
 };
 
-/// The string by its first modes, as coordinates with unit modal mass [m √kg], then the bow across it: a last degree of
-/// freedom that carries the constant bow force and does not move.
+/// Returns the string by its first modes, as coordinates with unit modal mass [m √kg], then the bow across it: a last
+/// degree of freedom that carries the constant bow force and does not move.
 ///
 ///     ω_k = 2π f k,  φ_k(x) = √(2/(ρ L)) sin(kπ x/L),  ρ = Z/(2 L f)
 ///
-/// A bridge that gives way with the resistance R reflects (R - Z)/(R + Z) of a wave. A period costs each mode about the
-/// share 2 Z/R of its amplitude: its damping is 2 ζ ω_k + 4 f Z/R.
+/// A bridge that yields with the resistance R reflects (R - Z)/(R + Z) of a wave. A period costs each mode about 2 Z/R
+/// of its amplitude: its damping is 2 ζ ω_k + 4 f Z/R.
 ///
 /// Source: Cremer, The Physics of the Violin (1984), chapter 3.
 Structure bowed_string(const BowedString& string, int modes);
 
-/// How far each coordinate moves the string [1/√kg] at `place`, the share of its length from the near end: φ_k there,
-/// and nothing of the bow; shape [modes + 1].
+/// Returns how far each coordinate moves the string [1/√kg] at `place`, the share of its length from the near end: φ_k
+/// there, and 0 for the bow; shape [modes + 1].
 Eigen::VectorXd string_shape(const BowedString& string, int modes, double place);
 
-/// Velocities of the coordinates [m √kg/s] of Helmholtz's motion when the string passes through its rest position, for
-/// a bow that moves with V [m/s]: V/b √(2 ρ L) (-1)^(k+1) / (kπ). The corner runs round the string once a period; the
-/// string sticks to the bow but for the share b of it.
+/// Returns the velocities of the coordinates [m √kg/s] in Helmholtz's motion when the string passes through its rest
+/// position, for a bow of velocity V [m/s]: V/b √(2 ρ L) (-1)^(k+1) / (kπ). The corner runs round the string once a
+/// period; the string sticks to the bow except during the share b of it.
 Eigen::VectorXd helmholtz_motion(const BowedString& string, int modes, double bow_velocity);
 
-/// Largest bow force [N] of Helmholtz's motion, 2 Z V / (b (mu_s - mu_d)). Schelleng (1973), J. Acoust. Soc. Am. 53.
+/// Returns the largest bow force [N] of Helmholtz's motion, 2 Z V / (b (mu_s - mu_d)). Schelleng (1973), J. Acoust.
+/// Soc. Am. 53.
 double greatest_bow_force(const BowedString& string, double bow_velocity);
 
-/// Least bow force [N] of Helmholtz's motion, Z² V / (2 R b² (mu_s - mu_d)), where all loss is that of the bridge.
-/// Schelleng (1973).
+/// Returns the least bow force [N] of Helmholtz's motion, Z² V / (2 R b² (mu_s - mu_d)), if only the bridge loses
+/// energy. Schelleng (1973).
 double least_bow_force(const BowedString& string, double bow_velocity);
 
 }  // namespace stridor::model

@@ -16,24 +16,25 @@ struct Cantilever {
     Coulomb friction{0.4, 0.25};
 };
 
-/// Angular frequency of bending mode number k = 1, 2, ... [rad/s]: beta² sqrt(EI / rho A),
-/// cos(beta L) cosh(beta L) = -1.
+/// Returns the angular frequency of bending mode number k = 1, 2, ... [rad/s]: beta² sqrt(EI / rho A), cos(beta L)
+/// cosh(beta L) = -1.
 double bending_frequency(const Cantilever& beam, int k);
 
-/// The beam by its first bending modes and its first axial one, as coordinates with unit modal mass [m sqrt(kg)],
-/// bending first. At the tip a bending mode moves 2 (-1)^(k+1) / sqrt(m), the axial one sqrt(2 / m), m = rho A L.
+/// Returns the beam by its first bending modes and its first axial mode, as coordinates with unit modal mass [m
+/// sqrt(kg)], bending first. At the tip a bending mode moves 2 (-1)^(k+1) / sqrt(m), the axial mode sqrt(2 / m), m =
+/// rho A L.
 ///
 /// Throws `Error` (input) for less than one mode. Source: Euler and Bernoulli's beam; Meirovitch, Fundamentals of
 /// Vibrations (2001), 8.4.
 Structure cantilever(const Cantilever& beam, int bending_modes);
 
-/// How far each coordinate moves a point of the beam [1/sqrt(kg)]; shape [bending_modes + 1].
+/// How far each coordinate moves a point of the beam [1/sqrt(kg)]; each of shape [bending_modes + 1].
 struct BeamShape {
     Eigen::VectorXd along;   // the surface's direction of motion
     Eigen::VectorXd across;  // the surface's normal
 };
 
-/// The shape at `place`, the share of the beam's length from its clamped end.
+/// Returns the shape at `place`, the share of the beam's length from its clamped end.
 BeamShape cantilever_shape(const Cantilever& beam, int bending_modes, double place);
 
 }  // namespace stridor::model

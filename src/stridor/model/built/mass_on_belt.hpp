@@ -13,8 +13,8 @@ struct Belt {
     Coulomb friction;
 };
 
-/// The belt oscillator as a structure with a contact, u = (x, y) [m], along and across the belt; nothing but the
-/// preload acts across it.
+/// Returns the belt oscillator as a structure with one contact, u = (x, y) [m], along and across the belt. Only the
+/// preload acts across the belt.
 Structure mass_on_belt(const Belt& belt);
 
 }  // namespace stridor::model

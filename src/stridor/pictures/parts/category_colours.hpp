@@ -11,19 +11,20 @@
 /// a verdict. Colour is never alone: every category but `none` has its own texture.
 namespace stridor::pictures {
 
-/// Fill of a category; `undecided` is white with dots, for it is no verdict.
+/// Returns the fill of a category; `undecided` is white with dots, for it is not a verdict.
 drawing::Fill category_fill(classification::Category category);
 
-/// Fill of a contact that is quiet because it sticks: the second, darker shade of `none`.
+/// Returns the fill of a contact that is quiet because it sticks: the second, darker shade of `none`.
 drawing::Fill stuck_fill();
 
-/// Fill of a contact that locks: darker than the shades of `none` and crossed, for it is no quiet design.
+/// Returns the fill of a contact that locks: darker than the shades of `none` and crossed, for it is not a quiet
+/// design.
 drawing::Fill locked_fill();
 
-/// Fill of a cell that has no result: white and crossed, never the colour of a category.
+/// Returns the fill of a cell without a result: white and crossed, never the colour of a category.
 drawing::Fill failed_fill();
 
-/// Colour of a contact state.
+/// Returns the colour of a contact state.
 drawing::Colour state_colour(model::ContactState state);
 
 }  // namespace stridor::pictures

@@ -6,12 +6,13 @@
 
 namespace stridor::recordings {
 
-/// Is this the beginning of a sound file that `open_audio` reads: WAV (RIFF, RF64, W64), FLAC, Ogg, AIFF, CAF, AU, MP3?
+/// Says whether a file begins as a sound file that `open_audio` reads: WAV (RIFF, RF64, W64), FLAC, Ogg, AIFF, CAF, AU,
+/// MP3.
 bool is_audio(std::string_view beginning);
 
 /// Opens a sound file through libsndfile. Whole numbers are divided by the largest magnitude they can have.
 ///
-/// What the file claims is held against its size. Throws `Error` (input) for damaged and truncated files, for files
+/// The file's claims are checked against its size. Throws `Error` (input) for damaged and truncated files, for files
 /// without samples, and for rates outside 1 Hz ... 100 MHz.
 RawSignal open_audio(const SignalInput& input);
 

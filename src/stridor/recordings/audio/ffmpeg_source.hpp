@@ -1,7 +1,7 @@
 #pragma once
 
-// ffmpeg's libraries, opened when the first compressed recording is: linked to the program, they and the hundred
-// libraries they need would make every start of it three times as long. Private to this folder.
+// ffmpeg's libraries, opened with the first compressed recording. If they were linked, they and the hundred libraries
+// they need would make every start of the program three times as long. Private to this folder.
 
 #include "stridor/base/opened_library.hpp"
 #include "stridor/recordings/raw_signal.hpp"
@@ -60,11 +60,11 @@ struct Ffmpeg {
     decltype(&::swr_free) swr_free = swresample.function("swr_free");
 };
 
-/// The libraries, opened once for the process; they say nothing, take memory in pieces of 256 MiB at most, and compute
-/// alike on every processor. Null where this machine lacks them.
+/// Returns the libraries, opened once for the process. They print nothing, allocate at most 256 MiB at a time, and
+/// compute alike on every processor. Null if this machine lacks them.
 const Ffmpeg* ffmpeg_library();
 
-/// Opens the first stream of sound; `kind` is what people call the file, `demuxer` ffmpeg's name of its reader.
+/// Opens the first stream of sound; `kind` is the file's kind in messages, `demuxer` ffmpeg's name of its reader.
 RawSignal open_with_ffmpeg(const Ffmpeg& ffmpeg, const SignalInput& input, const std::string& kind,
                            const std::string& demuxer);
 

@@ -10,7 +10,7 @@
 
 namespace stridor::recordings {
 
-/// The samples of a WAV file as its header has them.
+/// The place and form of the samples of a WAV file, as its header states them.
 struct RiffData {
     std::uint64_t offset = 0;     // [bytes] of the first sample
     std::uint64_t claimed = 0;    // [bytes] that the header gives them
@@ -23,27 +23,28 @@ struct RiffData {
     bool has_format = false;        // a fmt chunk stands before the samples
     std::string kept{};             // its fmt and bext chunks, byte by byte
 
-    /// A writer that could not go back (a pipe) leaves 0 or the largest number: as long as the file is.
+    /// Says whether the header leaves the length open. A writer that could not go back (a pipe) leaves 0 or the largest
+    /// number: the samples then reach to the end of the file.
     bool has_unknown_length() const;
 
-    /// 24 bits in 4 bytes, as some recorders write it, which libraries read as noise.
+    /// Says whether 24 bits stand in 4 bytes, as some recorders write them; libraries read such samples as noise.
     bool has_wide_frames() const;
 
-    /// Do the sizes of samples and frames agree? Packed codings have rules of their own.
+    /// Says whether the sizes of samples and frames agree. Packed codings have rules of their own.
     bool has_sensible_frames() const;
 };
 
-/// Is this the mark of a WAV file: RIFF, RF64 (EBU 3306) or BW64 (ITU-R BS.2088)?
+/// Says whether this is the mark of a WAV file: RIFF, RF64 (EBU 3306) or BW64 (ITU-R BS.2088).
 bool is_riff_mark(std::string_view mark);
 
-/// Walks the chunks of a RIFF, RF64 or BW64 file up to its samples; `std::nullopt` where there are none.
+/// Walks the chunks of a RIFF, RF64 or BW64 file up to its samples; returns `std::nullopt` if there are none.
 std::optional<RiffData> find_riff_data(const Bytes& bytes);
 
-/// Makes a plain WAV file of a recording's format, description and all samples that are there: for a header that no
-/// library takes though it is clear where the samples are.
+/// Makes a plain WAV file of a recording's format, description and existing samples, for a header that no library
+/// accepts although the place of the samples is clear.
 std::shared_ptr<const Bytes> plain_wav(std::shared_ptr<const Bytes> bytes, const RiffData& data);
 
-/// Bytes from a place on, behind a head of their own.
+/// Returns the bytes from a place on, behind another head.
 std::shared_ptr<const Bytes> with_head(std::string head, std::shared_ptr<const Bytes> bytes, std::uint64_t from);
 
 }  // namespace stridor::recordings

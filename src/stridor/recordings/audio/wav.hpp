@@ -13,7 +13,7 @@ namespace stridor::recordings {
 /// The longest coding history that other programs still read [bytes].
 inline constexpr std::size_t longest_history = 15'000;
 
-/// Before the case (TOML) that a simulated sound came from, in the coding history of its file.
+/// The line before the case (TOML) of a simulated sound, in the coding history of its file.
 inline constexpr const char* case_mark = "# case of stridor\n";
 
 /// How samples are written: whole numbers of 16 or 24 bits, or floating point.
@@ -22,28 +22,28 @@ enum class WavSamples { pcm_16, pcm_24, float_32 };
 /// How a WAV file is written.
 struct WavOptions {
     WavSamples samples = WavSamples::pcm_24;
-    std::vector<FullScale> full_scales{};  // what 1 stands for, of every channel or one each; empty: 1 of its unit
-    std::string description{};             // goes into the bext text before the calibration; 256 bytes hold both
+    std::vector<FullScale> full_scales{};  // the value of 1, for all channels or one each; empty: 1 of its unit
+    std::string description{};             // goes into the bext text before the calibration; both fit 256 bytes
     std::string history{};  // how the sound came to be: bext's coding history; at most `longest_history` bytes
 };
 
-/// What became of the samples.
+/// The number of samples written, and of those clipped.
 struct WavWritten {
     std::uint64_t frames = 0;
     std::uint64_t clipped = 0;  // [1] samples beyond full scale, cut to it (whole numbers only)
 };
 
-/// Writes a WAV file (RF64 beyond 4 GiB), a calibration into its bext chunk, and NAME.wav.json beside it where the WAV
-/// cannot say everything: names, units, full scales, a rate that is no whole number.
+/// Writes a WAV file (RF64 beyond 4 GiB) with a calibration in its bext chunk. Writes NAME.wav.json beside it if the
+/// WAV cannot hold everything: names, units, full scales, a rate that is not a whole number.
 ///
-/// A sample x becomes x / full scale; in whole numbers the nearest one to that times 2^15 or 2^23, so that samples
-/// which came from such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands
-/// beside a new recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and
-/// for samples that are not finite.
+/// A sample x becomes x / full scale; in whole numbers the one nearest to that times 2^15 or 2^23, so that samples from
+/// such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands beside a new
+/// recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and for samples
+/// that are not finite.
 WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options = {});
 
-/// A short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk.
-/// Throws as `write_wav` does.
+/// Returns a short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk. Throws
+/// as `write_wav` does.
 std::string wav_bytes(const signal::Signal& signal, const FullScale& scale);
 
 }  // namespace stridor::recordings

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a process that reads a MAT file answers to the one that asked it, byte by byte. Private to this folder.
+// The answers of a process that reads a MAT file to the process that asks, byte by byte. Private to this folder.
 //
 //   -> Opened, then so many times VariableHead and a name
 //   <- so many columns: std::uint64_t, then Column each
@@ -17,7 +17,7 @@ namespace stridor::recordings::mat {
 inline constexpr std::uint32_t most_variables = 4096;  // in a file
 inline constexpr std::uint32_t longest_name = 255;     // [bytes]; MATLAB's own are up to 63
 
-/// What a variable holds. Only numbers can be samples.
+/// The content of a variable. Only numbers can be samples.
 enum class MatKind : std::uint32_t {
     doubles,
     singles,
@@ -40,7 +40,7 @@ struct Opened {
     std::uint32_t variables = 0;
 };
 
-/// What is known of a variable before its numbers are read; its name follows.
+/// The properties of a variable before its numbers are read; its name follows.
 struct VariableHead {
     MatKind kind = MatKind::object;
     std::uint32_t name_length = 0;  // [bytes]
@@ -53,19 +53,19 @@ struct VariableHead {
 struct MatColumn {
     std::uint64_t variable = 0;  // from 0, as the file lists them
     std::uint64_t index = 0;     // from 0
-    std::uint64_t is_flat = 0;   // its rows are the channels, and its columns the instants
+    std::uint64_t is_flat = 0;   // whether its rows are the channels, and its columns the instants
     friend bool operator==(const MatColumn&, const MatColumn&) = default;
 };
 
-/// Who answers.
+/// The process that answers.
 class Answers {
 public:
     virtual ~Answers() = default;
-    /// Asks.
+    /// Sends a question.
     virtual void send(std::span<const std::byte> bytes) = 0;
-    /// Fills the bytes; false where there are no more.
+    /// Fills the bytes; returns false if there are no more.
     virtual bool receive(std::span<std::byte> into) = 0;
-    /// Why there are no more: "it crashed (signal 11)".
+    /// Returns why there are no more: "it crashed (signal 11)".
     virtual std::string ending() = 0;
 };
 

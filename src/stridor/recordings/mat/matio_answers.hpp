@@ -8,7 +8,7 @@
 // A MAT file read by libmatio, in a confined process. Private to this folder.
 namespace stridor::recordings {
 
-// libmatio, opened when the first MAT file is: not every machine has it. Private to this folder.
+// libmatio, opened with the first MAT file, since not every machine has it. Private to this folder.
 
 /// The functions that Stridor uses, of the version it was built with.
 struct Matio {
@@ -21,10 +21,10 @@ struct Matio {
     decltype(&::Mat_VarReadDataAll) read_all_data = library.function("Mat_VarReadDataAll");
 };
 
-/// The library, opened once for the process. Null where this machine lacks it.
+/// Returns the library, opened once for the process. Null if this machine lacks it.
 const Matio* matio_library();
 
-/// Answers what is asked of the process' file (`mat_answers.hpp`) until nobody asks any more.
+/// Answers questions about the process' file (`mat_answers.hpp`) until nobody asks any more.
 void answer_with_matio(const Matio& matio, const base::ChildProcess::Channel& channel);
 
 }  // namespace stridor::recordings

@@ -16,12 +16,12 @@ inline constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 /// The decimal digits.
 inline constexpr std::string_view all_digits = "0123456789";
 
-/// What a table is written in.
+/// The characters of a table.
 struct Dialect {
     char delimiter = ',';              // 0: a single column; a blank: any number of blanks and tabs
     bool has_quoted_decimals = false;  // "0,5" in quotes between commas is 0.5, and no thousands
-    char grouping = '\0';              // parts thousands, as the other mark is seen to be the decimal one; 0: not known
-    /// May a comma be the decimal mark?
+    char grouping = '\0';              // separates thousands, since another mark is the decimal one; 0: not known
+    /// Says whether a comma may be the decimal mark.
     bool allows_comma() const { return delimiter != ',' || has_quoted_decimals; }
 };
 
@@ -31,66 +31,67 @@ struct CsvField {
     int column = 1;  // [1] of its first character
 };
 
-/// Tab, semicolon or comma, whichever the line holds in this order, what is quoted left out; comma where it has none.
+/// Returns tab, semicolon or comma, whichever the line holds in this order outside of quotes; comma if it has none.
 Dialect sniff(std::string_view line);
 
-/// The fields of a row without their quotes and surrounding blanks. Where blanks part the fields, a unit in brackets
-/// belongs to what stands before it.
+/// Returns the fields of a row without their quotes and surrounding blanks. If blanks separate the fields, a unit in
+/// brackets belongs to the word before it.
 std::vector<CsvField> split(std::string_view line, char delimiter);
 
-/// The names in a line above `width` columns: parted by blanks, they may hold blanks themselves if two part them.
+/// Returns the names in a line above `width` columns. If blanks separate them, two blanks do, and a name may hold one.
 std::vector<CsvField> split_names(std::string_view line, char delimiter, std::size_t width);
 
 /// Drops empty fields behind the `least` first: a delimiter at the end of every line is a habit of some programs.
 void drop_empty_tail(std::vector<CsvField>& fields, std::size_t least);
 
-/// How many fields there are up to the last that is not empty.
+/// Returns the number of fields up to the last that is not empty.
 std::size_t filled(const std::vector<CsvField>& fields);
 
-/// Does this field tell that `mark` is the decimal one? "0,5" and "12,25" do, "1,234" may be thousands.
+/// Says whether this field shows that `mark` is the decimal one. "0,5" and "12,25" do; "1,234" may be thousands.
 bool tells_decimal(const CsvField& field, char mark);
 
-/// May this number be meant in thousands: "1.500", "12,345"?
+/// Says whether this number may be meant in thousands: "1.500", "12,345".
 bool tells_grouping(const std::string& text);
 
-/// The text of a number with a decimal point, and without what parts thousands; empty where their marks are misplaced.
+/// Returns the text of a number with a decimal point and without separators of thousands; empty if the marks are
+/// misplaced.
 std::string numeral(std::string text, Dialect dialect);
 
-/// The number that a field is; infinite beyond double precision, nothing for any other text.
+/// Returns the number in a field; infinite beyond double precision, `std::nullopt` for any other text.
 std::optional<double> number_in(const std::string& field, Dialect dialect);
 
-/// Reads a number, and what `instant_in` reads, in seconds.
+/// Returns the number in a field, or the time that `instant_in` reads [s]; `std::nullopt` for any other text.
 std::optional<double> value_in(const std::string& field, Dialect dialect);
 
-/// Does any field hold a number?
+/// Says whether any field holds a number.
 bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect);
 
-/// "velocity [mm/s]", "velocity (mm/s)", "velocity / mm/s", "v/(mm/s)", "velocity in mm/s" or "velocity, mm/s" taken
-/// apart; "gap (front) [m]" is "gap (front)" in m.
+/// A title split into name and unit: "velocity [mm/s]", "velocity (mm/s)", "velocity / mm/s", "v/(mm/s)", "velocity in
+/// mm/s" or "velocity, mm/s"; "gap (front) [m]" is "gap (front)" in m.
 struct Title {
     std::string name;
     std::string unit;  // empty: none
 };
 
-/// Takes a title apart. It never fails: what has no brackets is all name.
+/// Splits a title. It never fails: a title without brackets is all name.
 Title title_of(std::string_view text);
 
-/// A unit of the row of units: "[ms]" and "(ms)" are "ms".
+/// Returns a unit from the row of units: "[ms]" and "(ms)" are "ms".
 std::string_view bare_unit(std::string_view text);
 
-/// ASCII letters made small.
+/// Returns the text with ASCII letters in lower case.
 std::string lower(std::string_view text);
 
-/// How a text in UTF-16 is written.
+/// The form of a text in UTF-16.
 struct Utf16 {
     std::size_t begin = 0;  // [bytes] of its mark
     std::size_t high = 0;   // which byte of a pair is the high one
 };
 
-/// Is it a text in UTF-16, with its mark or without? Told from its first bytes.
+/// Returns the form of a text in UTF-16, with its mark or without, or `std::nullopt`. The first bytes decide.
 std::optional<Utf16> utf16_in(std::string_view beginning);
 
-/// A text in UTF-16 as UTF-8; what is no character becomes a question mark.
+/// Returns a text in UTF-16 as UTF-8; an invalid character becomes a question mark.
 std::string utf8_of(std::string_view utf16, Utf16 form);
 
 }  // namespace stridor::recordings::csv_table

@@ -14,16 +14,16 @@ struct SampledMotion {
 
 /// Reads a table of velocity over time from CSV text; `name` is the file's, for messages.
 ///
-/// Columns are parted by tab, semicolon or comma, whichever the first line holds in this order; with tab and semicolon
-/// numbers may have a decimal comma. A byte order mark, any line ends, blank lines, `#` comments and quotes are
-/// understood. Columns are found by name (time, t; velocity, v; any case); their units stand in the header
-/// ("time [ms]"), in a row of their own below it, or are SI. Without a header there are two columns, time and velocity.
-/// Throws `Error` (input) with line and column for a missing column, a short or long row, a word, an empty or
-/// non-finite number, a unit of the wrong dimension, and times that do not increase.
+/// Columns are separated by tab, semicolon or comma, whichever the first line holds in this order; with tab and
+/// semicolon numbers may have a decimal comma. A byte order mark, any line ends, blank lines, `#` comments and quotes
+/// are understood. Columns are found by name (time, t; velocity, v; any case); their units stand in the header ("time
+/// [ms]"), in a row of their own below it, or are SI. Without a header there are two columns, time and velocity. Throws
+/// `Error` (input) with line and column for a missing column, a short or long row, a word, an empty or non-finite
+/// number, a unit of the wrong dimension, and times that do not increase.
 SampledMotion read_sampled_csv(std::string_view text, const std::string& name);
 
-/// The same from a file, which may neither be a pipe or a device nor hold more than 256 MiB. Throws `Error` (io) for
-/// what cannot be read.
+/// Reads such a table from a file of at most 256 MiB that is neither a pipe nor a device. Throws `Error` (io) if it
+/// cannot be read.
 SampledMotion read_sampled_file(const std::string& path);
 
 }  // namespace stridor::recordings

@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands above the numbers of a table of signals. Private to this folder.
+// The lines above the numbers of a table of signals. Private to this folder.
 
 #include "stridor/base/error.hpp"
 #include "stridor/recordings/line_reader.hpp"
@@ -19,7 +19,7 @@ namespace stridor::recordings::signal_table {
 
 inline constexpr double highest_rate = 1e12;  // [Hz] of the fastest oscilloscopes
 
-/// What a column holds.
+/// The content of a column.
 enum class Role { channel, time, other_time, counter, words, empty, damaged };
 
 /// One column of the table.
@@ -27,10 +27,10 @@ struct SignalColumn {
     std::string name;
     std::string unit;  // as the file has it
     Role role = Role::channel;
-    std::string why{};  // it is no channel
+    std::string why{};  // the reason why it is no channel
 };
 
-/// What LabVIEW writes again before each part of a table.
+/// The heading that LabVIEW repeats before each part of a table.
 struct PartHeading {
     std::string names{};  // the line of the names; empty: no such table
     std::string steps{};  // the line Delta_X
@@ -39,7 +39,7 @@ struct PartHeading {
 /// The line that ends each of LabVIEW's headings.
 inline constexpr std::string_view heading_end = "***End_of_Header***";
 
-/// What stands above the numbers.
+/// The facts above the numbers.
 struct TableHeader {
     csv_table::Dialect dialect;
     std::vector<SignalColumn> columns;
@@ -47,7 +47,7 @@ struct TableHeader {
     std::optional<double> rate;             // [Hz] from a `# rate:` line
     std::optional<double> spoken_rate;      // [Hz] from the prose above the table
     std::vector<std::string> spoken_units;  // of the columns, from the prose above the table
-    std::vector<double> spoken_steps;       // as it has them of the columns, 0 where it has none
+    std::vector<double> spoken_steps;       // of the columns, from the prose above the table; 0: none
     PartHeading heading{};
     std::size_t prose_lines = 0;  // [1] of text above the table
     bool has_names = false;
@@ -58,14 +58,14 @@ struct TableHeader {
     int end_number = 0;             // [1] the line of the first text behind the table; 0: none
 };
 
-/// Is a line neither blank nor a comment?
+/// Says whether a line is neither blank nor a comment.
 bool is_table_line(std::string_view line);
 
-/// The next line of the table; its text lasts until the next is read.
+/// Returns the next line of the table, or `std::nullopt` at its end; its text is valid until the next is read.
 std::optional<TextLine> next_row(LineReader& lines);
 
-/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals,
-/// as the tables that Stridor writes of a chart.
+/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for a text that is not a table of
+/// signals, such as the tables that Stridor writes of a chart.
 TableHeader read_header(const SignalInput& input);
 
 }  // namespace stridor::recordings::signal_table

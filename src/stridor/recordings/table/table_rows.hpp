@@ -1,6 +1,6 @@
 #pragma once
 
-// The rows of a table of signals, and what is in its columns from the first to the last. Private to this folder.
+// The rows of a table of signals, and a survey of its columns. Private to this folder.
 
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/raw_signal.hpp"
@@ -21,22 +21,22 @@ class TableRows {
 public:
     TableRows(const SignalInput& input, const TableHeader& header);
 
-    /// The numbers of the next row, shape [column]: NaN where a field is empty, a word, or what instruments write for
-    /// an overload. Empty at the end of the table. Throws `Error` (input) for a row of another width.
+    /// Returns the numbers of the next row, shape [column]: NaN if a field is empty, a word, or an instrument's mark
+    /// for an overload. Empty at the end of the table. Throws `Error` (input) for a row of another width.
     std::span<const double> next();
 
-    /// The fields of the row that was read last.
+    /// Returns the fields of the row that was read last.
     std::vector<csv_table::CsvField> fields() const;
 
-    /// Where a column of that row stands.
+    /// Returns the place of a column in that row.
     base::Place place(std::size_t column) const;
 
-    /// Is the row that was read last text, as it stands behind a table?
+    /// Says whether the row that was read last is text, as it stands behind a table.
     bool is_text() const { return is_text_; }
-    /// The number of its line.
+    /// Returns the number of its line.
     int number() const { return line_->number; }
 
-    /// What was met so far.
+    /// Counts of special cases so far.
     struct Met {
         std::size_t comments = 0;  // [1] rows with a remark behind their columns
         std::size_t grouped = 0;   // [1] numbers whose only mark parts thousands
@@ -61,10 +61,10 @@ private:
     Met met_{};
 };
 
-/// What is in a column.
+/// A survey of one column.
 struct ColumnSurvey {
     std::uint64_t numbers = 0;                // [1] rows that have one
-    std::uint64_t empty = 0;                  // [1] rows that have nothing
+    std::uint64_t empty = 0;                  // [1] rows that have none
     std::map<double, std::uint64_t> marks{};  // [1] rows with each number that may stand for no value: -9999
     double largest = 0.0;                     // [unit] magnitude, these aside
     bool is_rising = true;                    // every number is greater than the one before
@@ -76,11 +76,11 @@ struct ColumnSurvey {
     double first = 0.0;
     double second = 0.0;
     double last = 0.0;
-    std::optional<base::Place> trouble{};  // of the first field that is no number
+    std::optional<base::Place> trouble{};  // of the first field that is not a number
     std::string trouble_text{};            // that field
 };
 
-/// What is in a table.
+/// A survey of a table.
 struct TableSurvey {
     std::uint64_t rows = 0;
     std::vector<ColumnSurvey> columns{};
@@ -88,12 +88,12 @@ struct TableSurvey {
     std::string text_behind;  // that line
     TableRows::Met met{};
 
-    /// Has a column a number in every row?
+    /// Says whether a column has a number in every row.
     bool is_whole(std::size_t column) const { return columns[column].numbers == rows; }
 };
 
-/// Looks at every row of a table. Throws `Error` (input) with its place for a row of another width, and for text
-/// between rows of numbers.
+/// Reads every row of a table. Throws `Error` (input) with its place for a row of another width, and for text between
+/// rows of numbers.
 TableSurvey surveyed(const SignalInput& input, const TableHeader& header);
 
 }  // namespace stridor::recordings::signal_table

@@ -14,7 +14,7 @@
 
 namespace stridor::recordings::uff58 {
 
-/// How the numbers of a dataset stand in the file.
+/// The form of the numbers of a dataset in the file.
 enum class Form { ascii, little_endian, big_endian };
 
 /// Type of a function (record 6, field 1).
@@ -46,22 +46,22 @@ struct Dataset {
     int data_line = 1;              // [1] of the first line of values
 };
 
-/// What was found in a file.
+/// The datasets found in a file.
 struct Contents {
     std::vector<Dataset> histories;  // functions over time
     std::size_t left_out = 0;        // other datasets and functions
 };
 
-/// Walks through a file. Where a header speaks of another number of values than stand before the mark, those that stand
-/// there count, and a note says so. Throws `Error` (input) with file and line for a header that cannot be understood,
-/// for time histories of uneven step or complex values, and for those that end without their mark.
+/// Walks through a file. If a header states another number of values than stand before the mark, the existing ones
+/// count, and a note says so. Throws `Error` (input) with file and line for a header that cannot be understood, for
+/// time histories of uneven step or complex values, and for those that end without their mark.
 Contents find_datasets(const SignalInput& input);
 
-/// Returns the numbers in a line of ASCII values. What touches is parted by columns of 13, or of 20 for doubles.
-/// Throws `Error` (input) with line and column for what is no number.
+/// Returns the numbers in a line of ASCII values. Values without blanks between are split into columns of 13, or of 20
+/// for doubles. Throws `Error` (input) with line and column for a text that is not a number.
 std::vector<double> values_in(const TextLine& line, int ordinate, const std::string& file);
 
-/// Is this line the mark between datasets, "    -1"?
+/// Says whether this line is the mark between datasets, "    -1".
 bool is_mark(std::string_view line);
 
 }  // namespace stridor::recordings::uff58

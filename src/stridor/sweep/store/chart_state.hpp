@@ -14,7 +14,7 @@
 
 namespace stridor::sweep {
 
-/// How a store of a chart stands.
+/// The state of a chart's store.
 enum class StoreStanding {
     complete,    // it has all cells that are known to be its
     partial,     // it lacks some, and nobody fills it
@@ -29,24 +29,24 @@ inline constexpr std::array<std::string_view, 5> standing_names{"complete", "par
 /// A store of a chart: of a share, or the chart's own.
 struct StoreState {
     std::filesystem::path file;
-    std::optional<Share> share;  // nothing for the chart's own, and for one of another name
+    std::optional<Share> share;  // `std::nullopt` for the chart's own, and for another name
     StoreStanding standing = StoreStanding::missing;
-    std::size_t cells = 0;                    // [1] in it; of one that is filled as its owner told last
-    std::size_t missing = 0;                  // [1] cells that are known to be needed of it, and are nowhere
-    std::optional<storage::SeenOwner> owner;  // who fills it, or died filling it
+    std::size_t cells = 0;                    // [1] in it; of one that is being filled, as its owner told last
+    std::size_t missing = 0;                  // [1] cells that are known to be needed in it, and are nowhere
+    std::optional<storage::SeenOwner> owner;  // the process that fills it, or died filling it
     std::string problem;                      // why it is unreadable
 };
 
-/// How far a chart is.
+/// The progress of a chart.
 struct ChartState {
-    std::size_t done = 0;    // [1] cells that are there, in whatever store
+    std::size_t done = 0;    // [1] cells that are there, in any store
     std::size_t total = 0;   // [1] cells that are known to be needed: all, unless the chart is refined
     bool is_merged = false;  // the chart's own store has all of them
     StoreState chart;
-    std::vector<StoreState> shares;  // by count and index; those that are missing among them
+    std::vector<StoreState> shares;  // by count and index, with the missing ones
 };
 
-/// Looks at the stores of a chart in a folder, those that are being filled included, and changes nothing.
+/// Returns the state of a chart's stores in a folder, also of those being filled, and changes nothing.
 ChartState chart_state(const Study& study, const std::filesystem::path& folder);
 
 }  // namespace stridor::sweep

@@ -13,7 +13,7 @@
 
 namespace stridor::sweep {
 
-/// How many cells there are of each kind.
+/// The number of cells of each kind.
 struct Counts {
     std::array<std::size_t, status_names.size()> statuses{};  // [1] by Status
     // [1] by Category, done cells only; those that lock are none of them
@@ -21,29 +21,29 @@ struct Counts {
     std::size_t locks = 0;  // [1] silent because they lock
 };
 
-/// Adds a finished cell.
+/// Adds a finished cell to the counts.
 void count(Counts& counts, const CellVerdict& cell);
 
-/// The computed cells of a sweep while it runs: it begins with those that are there and hands over what it computes.
+/// The computed cells of a sweep while it runs: first those that exist, then those that it computes.
 class CellKeeper : public ComputedCells {
 public:
-    /// What messages call it: "the store chart.sqlite".
+    /// Returns the name in messages: "the store chart.sqlite".
     virtual std::string name() const = 0;
 
-    /// Which cells are there; shape [cell].
+    /// Returns which cells are there; shape [cell].
     virtual std::vector<bool> stored() = 0;
 
-    /// How many cells are there, by status and category.
+    /// Returns the number of cells that are there, by status and category.
     virtual Counts counts() = 0;
 
-    /// Keeps cells, none of which is there yet, all or none of them.
+    /// Keeps cells, all or none of them. None of them may be there yet.
     virtual void write(std::span<const IndexedCell> cells) = 0;
 };
 
-/// Keeps the cells of a small sweep in memory, for one who only looks at it and needs no file.
+/// Keeps the cells of a small sweep in memory, for a caller that needs no file.
 class MemoryKeeper final : public CellKeeper {
 public:
-    /// Without cells.
+    /// Begins without cells.
     explicit MemoryKeeper(const Study& study) : places_(cell_count(study), nowhere) {}
 
     std::string name() const override { return "the chart in memory"; }
@@ -58,12 +58,12 @@ private:
     std::vector<IndexedCell> cells_;   // in the order in which they came
 };
 
-/// The finished sweep; cells that refinement left out are inferred, the computed ones stay where they are kept. Throws
-/// `Error` (interrupted) if cells are missing.
+/// Returns the finished sweep; cells that refinement left out are inferred, the computed ones stay in the keeper.
+/// Throws `Error` (interrupted) if cells are missing.
 SweepResult load(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
-/// A sweep that is not finished: each cell that is not there takes after the nearest one that is (in grid steps; of
-/// equally near ones the first). Of a direction of which none is there yet no cell has a result.
+/// Returns a sweep that is not finished: a missing cell takes the verdict of the nearest one (in grid steps; the first
+/// of equally near ones). A direction without any cell has no results.
 SweepResult provisional(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
 }  // namespace stridor::sweep

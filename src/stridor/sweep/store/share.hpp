@@ -16,40 +16,41 @@
 /// Shares: a chart computed by several programs that know nothing of each other.
 ///
 /// The runs of a chart are dealt out in blocks of neighbours, one block to each share in turn, since noisy regions cost
-/// more than quiet ones. Who computes what depends on the study and the number of shares alone, so nobody has to ask.
+/// more than quiet ones. The division depends on the study and the number of shares alone, so the programs need no
+/// messages.
 namespace stridor::sweep {
 
-/// Neighbouring runs that belong to one share: many, so that a share's cells lie side by side in its store, but so few
-/// that each share has blocks all over the chart and costly regions are dealt to many. From 1 to 1024. Changing the
-/// rule leaves half-finished shares with the wrong runs.
+/// Returns the number of neighbouring runs that belong to one share [1], from 1 to 1024: many, so that a share's cells
+/// lie side by side in its store, but so few that each share has blocks all over the chart and costly regions are dealt
+/// to many. Changing the rule leaves half-finished shares with the wrong runs.
 std::size_t runs_per_block(const Study& study, std::size_t shares);
 
-/// Most shares of one chart: the places of their files' names.
+/// Most shares of one chart: their files' names have four digits.
 inline constexpr std::size_t most_shares = 9999;
 
-/// One share of a chart; as it stands here the whole of it.
+/// One share of a chart; by default the whole chart.
 struct Share {
     std::size_t index = 0;  // [1] from 0 to count - 1
     std::size_t count = 1;  // [1]
     bool operator==(const Share&) const = default;
 };
 
-/// Which of so many shares a run belongs to, by the index of its first cell.
+/// Returns the share, of `shares`, to which a run belongs, by the index of its first cell.
 std::size_t share_of_run(const Study& study, std::size_t shares, std::size_t run);
 
-/// Does a run belong to a share?
+/// Says whether a run belongs to a share.
 bool is_in(const Share& share, const Study& study, std::size_t run);
 
-/// "3/16".
+/// Returns a share as text: "3/16".
 std::string text_of(const Share& share);
 
-/// "0003-of-0016": sorts as the numbers do.
+/// Returns the name of a share's file: "0003-of-0016", which sorts as the numbers do.
 std::string file_name_of(const Share& share);
 
-/// The share with this file name; nothing where it is no share's.
+/// Returns the share with this file name, or `std::nullopt` if it is not one.
 std::optional<Share> share_of_file_name(std::string_view name);
 
-/// Reads "3/16". Throws `Error` (input) for what is no share, with what was meant.
+/// Reads "3/16". Throws `Error` (input) for any other text, with the form that was expected.
 Share read_share(std::string_view text);
 
 /// The variables that a task of a Slurm array has; empty where they are not set.
@@ -59,43 +60,43 @@ struct ArrayTask {
     std::string count;  // SLURM_ARRAY_TASK_COUNT
 };
 
-/// The share of a task: arrays may begin at any number. Throws `Error` (input) with what is missing, and for an array
-/// that has gaps.
+/// Returns the share of a task: arrays may begin at any number. Throws `Error` (input) that names a missing variable,
+/// and for an array that has gaps.
 Share share_of(const ArrayTask& task);
 
-/// Where the shares of a chart in this folder are kept: "pair/shards".
+/// Returns the folder of the shares of a chart in this folder: "pair/shards".
 std::filesystem::path shares_folder(const std::filesystem::path& folder);
 
-/// The store of one share: "pair/shards/0003-of-0016.sqlite".
+/// Returns the file of one share's store: "pair/shards/0003-of-0016.sqlite".
 std::filesystem::path share_file(const std::filesystem::path& folder, const Share& share);
 
-/// The cells that a share of a chart knows: those that were merged before, which it only reads, and its own, to which
-/// it adds. So a share of a refined chart goes on from what all of them have found.
+/// The cells that a share of a chart knows: those merged before, which it only reads, and its own, to which it adds. So
+/// a share of a refined chart goes on from the cells of all shares.
 class ShareKeeper final : public CellKeeper {
 public:
-    /// Keeps cells in the store `own`; `merged` need not be there. Throws what a `Store` throws.
+    /// Opens or makes the store `own`; `merged` need not exist. Throws what a `Store` throws.
     ShareKeeper(const std::filesystem::path& own, const std::filesystem::path& merged, const Study& study,
                 const storage::WaitOptions& wait = {});
 
-    /// The share's own store.
+    /// Returns the share's own store.
     const Store& own() const { return own_; }
 
     std::string name() const override { return own_.name(); }
 
-    /// In either.
+    /// Returns which cells are in either store; shape [cell].
     std::vector<bool> stored() override;
 
-    /// A cell in both counts once.
+    /// Returns the counts of both stores; a cell in both counts once.
     Counts counts() override;
 
-    /// Into its own store.
+    /// Writes cells into the share's own store.
     void write(std::span<const IndexedCell> cells) override { own_.write(cells); }
 
-    /// Of a cell in both stores the own one, which is the same.
+    /// Shows the cells of both stores; a cell in both is read from the own one.
     void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override;
 
 private:
-    std::unique_ptr<Store> merged_;  // nothing before the first merge
+    std::unique_ptr<Store> merged_;  // null before the first merge
     Store own_;
 };
 

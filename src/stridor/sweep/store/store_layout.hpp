@@ -13,28 +13,28 @@
 #include <span>
 #include <string>
 
-/// What a store of cells looks like inside, for the classes that open one.
+/// The inside of a store of cells, for the classes that open one.
 namespace stridor::sweep {
 
-/// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
+/// Layout of a store. Raise it when a table, a column or its meaning changes: older stores are then refused.
 inline constexpr int store_schema = 3;
 
-/// What a store's header says: "STRD", where other programs look for the kind of a database; pages have checksums from
-/// layout 3 on.
+/// The identity in a store's header, "STRD", where other programs look for the kind of a database. Pages have checksums
+/// from layout 3 on.
 inline constexpr storage::Identity store_identity{0x53545244, 3};
 
 /// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
 /// store begun before is then refused, for its cells and new ones would not fit together.
 inline constexpr int results_version = 12;
 
-/// How a store is opened: by one process alone, with the words of a sweep.
+/// Returns how a store is opened: by one process alone, with the words of a sweep.
 storage::DatabaseOptions store_options();
 
-/// How messages about who fills a store call it.
+/// Returns how messages name a store and its owner.
 storage::OwnerOptions owner_options(const std::filesystem::path& store);
 
-/// Makes a store that was claimed this process's own: what others were about to put in its place goes, and of a former
-/// owner who may go on with it there is a copy from now on (`storage::hand_over`).
+/// Makes a claimed store this process's own: removes replacements that others left beside it, and replaces it by a copy
+/// if a former owner may go on with it (`storage::hand_over`).
 void take_over_files(storage::OwnerFile& owner, const std::filesystem::path& store);
 
 /// Makes the tables of an empty store, for the study of this canonical text.
@@ -44,26 +44,27 @@ void create_tables(storage::Database& database, const std::string& study_text);
 /// generation, io if it is damaged.
 void verify_tables(storage::Database& database, const std::string& study_text);
 
-/// The columns of a cell with these figures, separated by commas, the index first.
+/// Returns the columns of a cell with these figures, separated by commas, the index first.
 std::string cell_columns(std::span<const CellFigure> figures = cell_figures());
 
-/// How many they are.
+/// Returns the number of those columns.
 std::size_t cell_columns_count();
 
-/// The statement that `insert` takes, with a parameter for each of `cell_columns`.
+/// Returns the statement that `insert` takes, with a parameter for each of `cell_columns`.
 std::string insert_cell();
 
-/// Runs it for a cell.
+/// Runs that statement for a cell.
 void insert(storage::Statement& statement, const IndexedCell& cell);
 
-/// The cell in a row of `cell_columns` of these figures, of a study of so many; nothing for a row that no sweep wrote.
+/// Returns the cell in a row of `cell_columns` of these figures, in a study of `cells` cells, or `std::nullopt` for a
+/// row that no sweep wrote.
 std::optional<IndexedCell> cell_in(const storage::Statement& row, std::size_t cells,
                                    std::span<const CellFigure> figures = cell_figures());
 
-/// What to throw (io) for such a row: the store is damaged.
+/// Returns the error (io) to throw for such a row: the store is damaged.
 Error no_cell_of_the_study(const std::filesystem::path& store, std::int64_t index);
 
-/// The place of a word in a list.
+/// Returns the place of a word in a list, or `std::nullopt` if it is not in it.
 template <typename Names>
 std::optional<std::size_t> place_in(const Names& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
