@@ -1,6 +1,8 @@
 // Vectors of eight numbers for the engines' loops, which include this file with STRIDOR_ISA and STRIDOR_WIDTH set: one
 // register of AVX-512, two of AVX2, four of the baseline.
 
+#pragma once
+
 // a call would pass vectors through memory
 #define STRIDOR_INLINE inline __attribute__((always_inline))
 

@@ -1,6 +1,5 @@
-// One cell across the lanes of a vector: the eight numbers of its state. Compiled with STRIDOR_ISA naming the
-// instruction set and a namespace of its own, so that no inline function is shared between sets. A vector of eight
-// numbers is one register of AVX-512, two of AVX2, four of the baseline (STRIDOR_WIDTH).
+// The loops of kernel.hpp, part of kernels/loops.inl. One cell across the lanes of a vector: the eight numbers of its
+// state.
 
 #include "stridor/integration/lanes_vector.inl"
 
@@ -280,8 +279,5 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
 }
 
 }  // namespace
-
-extern const Kernel kernel_2{glide<2>, leap<2>, look, combine, root, move, apply, add_part<2>};
-extern const Kernel kernel_3{glide<3>, leap<3>, look, combine, root, move, apply, add_part<3>};
 
 }  // namespace stridor::integration::STRIDOR_ISA

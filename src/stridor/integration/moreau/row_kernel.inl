@@ -1,5 +1,5 @@
-// The loops of row_kernel.hpp for one instruction set: this file is compiled once with STRIDOR_ISA for each. Lanes are
-// independent of each other, so compilers make vectors of them without a change of bits.
+// The loops of row_kernel.hpp, part of kernels/loops.inl. Lanes are independent, so compilers make vectors
+// of them without a change of bits.
 
 namespace stridor::integration::STRIDOR_ISA {
 
@@ -63,8 +63,5 @@ void subtract(const double* __restrict from, double share, double* __restrict to
 }
 
 }  // namespace
-
-extern const RowKernel loops_of_rows;
-const RowKernel loops_of_rows{multiply, combine, subtract};
 
 }  // namespace stridor::integration::STRIDOR_ISA

@@ -1,5 +1,5 @@
-// The loops of series_kernel.hpp for one instruction set: this file is compiled once with STRIDOR_ISA and STRIDOR_WIDTH
-// for each. Each lane is computed by itself, so that all sets give the same bits.
+// The loops of series_kernel.hpp, part of kernels/loops.inl. Each lane is computed by itself, so that all sets give the
+// same bits.
 
 #include "stridor/integration/lanes_vector.inl"
 
@@ -181,8 +181,5 @@ void evaluate_state(const Lanes* q, const Lanes* v, std::size_t count, std::size
 }
 
 }  // namespace
-
-extern const SeriesKernel loops_of_series;
-const SeriesKernel loops_of_series{expand, evaluate, evaluate_state};
 
 }  // namespace stridor::integration::STRIDOR_ISA

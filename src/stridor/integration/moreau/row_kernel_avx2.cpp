@@ -1,4 +1,0 @@
-#include "stridor/integration/moreau/row_kernel.hpp"
-
-#define STRIDOR_ISA avx2
-#include "stridor/integration/moreau/row_kernel.inl"
