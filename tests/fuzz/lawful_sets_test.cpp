@@ -3,7 +3,7 @@
 // searches by single changes. The forces of each set are solved here anew, in the rows of the structure.
 
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets/contact_sets.hpp"
+#include "stridor/integration/contact_sets/set_search.hpp"
 #include "stridor/integration/modal_structure.hpp"
 #include "stridor/integration/taylor/settling.hpp"
 #include "support/counter_random.hpp"

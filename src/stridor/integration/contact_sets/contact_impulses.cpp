@@ -2,8 +2,8 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets/contact_sets.hpp"
 #include "stridor/integration/contact_sets/contact_violation.hpp"
+#include "stridor/integration/contact_sets/set_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,18 +102,11 @@ bool Trial::mend() {
                                 std::abs(result_.gap_velocity[k]), std::abs(result_.slip_velocity[k])});
         scale.push = std::max({scale.push, std::abs(result_.normal[k]), std::abs(result_.tangential[k])});
     }
-    ContactViolation worst;
-    std::size_t contact = 0;
-    for (std::size_t k = 0; k < result_.mode.size(); ++k) {
-        if (!meeting_.touches[k]) continue;
-        const TriedContact tried{result_.mode[k],         limit_[k],
-                                 result_.normal[k],       result_.tangential[k],
-                                 result_.gap_velocity[k], result_.slip_velocity[k]};
-        const ContactViolation here = violation(structure_.contacts[k], tried, scale);
-        if (!(here.size > worst.size)) continue;
-        worst = here;
-        contact = k;
-    }
+    std::vector<TriedContact> tried;
+    for (std::size_t k = 0; k < result_.mode.size(); ++k)
+        tried.push_back({result_.mode[k], limit_[k], result_.normal[k], result_.tangential[k], result_.gap_velocity[k],
+                         result_.slip_velocity[k]});
+    const auto [contact, worst] = worst_contact(structure_.contacts, tried, meeting_.touches, scale);
     if (worst.size == 0.0) return false;
     if (result_.mode[contact] == ContactMode::stick && is_slip(worst.mode)) limit_[contact] = StickLimit::fallen;
     result_.mode[contact] = worst.mode;
@@ -127,25 +120,24 @@ bool Trial::solve_any() {
         possible[k] = meeting_.touches[k] ? std::vector{ContactMode::stick, ContactMode::slip_forward,
                                                         ContactMode::slip_backward, ContactMode::open}
                                           : std::vector{meeting_.mode[k]};
-    for (const std::vector<ContactMode>& set : contact_sets(possible, meeting_.mode)) {
+    return try_all_sets(possible, meeting_.mode, [&](const std::vector<ContactMode>& set) {
         std::fill(limit_.begin(), limit_.end(), StickLimit::whole);
         result_.mode = set;
-        if (solve() && !mend()) return true;
-    }
-    return false;
+        return solve() && !mend();
+    });
 }
 
 }  // namespace
 
 std::optional<ContactImpulses> contact_impulses(const ModalStructure& structure, const Meeting& meeting) {
     Trial trial(structure, meeting);
-    const std::size_t most_changes = 40 + 20 * meeting.mode.size();
-    for (std::size_t change = 0; change < most_changes; ++change) {
-        if (!trial.solve()) return std::nullopt;
-        if (!trial.mend()) return trial.result();
-    }
-    if (trial.solve_any()) return trial.result();
-    return std::nullopt;
+    std::optional<bool> is_found = change_one_by_one(meeting.mode.size(), [&]() -> std::optional<bool> {
+        if (!trial.solve()) return false;
+        if (trial.mend()) return std::nullopt;
+        return true;
+    });
+    if (!is_found) is_found = trial.solve_any();
+    return *is_found ? std::optional(trial.result()) : std::nullopt;
 }
 
 }  // namespace stridor::integration

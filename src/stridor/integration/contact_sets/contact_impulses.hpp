@@ -31,10 +31,8 @@ struct ContactImpulses {
 ///     (g', w)+ = (g', w) + W (P_n, P_t);   P_n >= 0, g'+ >= 0, one of them 0;
 ///     w+ = 0 with |P_t| <= limit P_n, or P_t = ratio P_n against w+
 ///
-/// Begins with the modes given and changes the worst violated contact until none is: least change decides between
-/// several solutions. A limit once broken is that of the slip from then on, so that limits only fall. Where the search
-/// does not end all sets of modes are tried, those with the fewest changes first. Nothing where none obeys the laws, or
-/// where the contacts depend on each other.
+/// Begins with the modes given: least change decides between several solutions (set_search.hpp). Empty if no set obeys
+/// the laws, and if the contacts depend on each other.
 std::optional<ContactImpulses> contact_impulses(const ModalStructure& structure, const Meeting& meeting);
 
 }  // namespace stridor::integration

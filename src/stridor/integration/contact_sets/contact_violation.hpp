@@ -3,6 +3,9 @@
 #include "stridor/integration/contact_mode.hpp"
 #include "stridor/integration/modal_structure.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace stridor::integration {
 
 /// The limit of friction of a stuck contact. It falls once within an event, or within a step of a time stepping: limits
@@ -42,5 +45,25 @@ struct ContactViolation {
 ///
 /// A contact that breaks one becomes stuck, open, stuck, or slips against T. The worse of two counts.
 ContactViolation violation(const ModalContact& law, const TriedContact& contact, const TrialScale& scale);
+
+/// The contact that is farthest from its law, the first of several.
+struct WorstContact {
+    std::size_t contact = 0;
+    ContactViolation violation{};
+};
+
+/// Returns the worst of those that take part; a violation of size 0 if all obey. `tried` and `touches` have the shape
+/// [contact].
+template <typename Touches>
+WorstContact worst_contact(const std::vector<ModalContact>& laws, const std::vector<TriedContact>& tried,
+                           const Touches& touches, const TrialScale& scale) {
+    WorstContact worst;
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+        if (!touches[k]) continue;
+        const ContactViolation here = violation(laws[k], tried[k], scale);
+        if (here.size > worst.violation.size) worst = {k, here};
+    }
+    return worst;
+}
 
 }  // namespace stridor::integration

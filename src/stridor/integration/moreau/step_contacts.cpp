@@ -7,9 +7,11 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets/painleve.hpp"
+#include "stridor/integration/contact_sets/set_search.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace stridor::integration {
@@ -192,8 +194,7 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
     speed_ = 0.0;
     for (const double rate : free_rates)
         speed_ = std::max(speed_, std::abs(rate));
-    const std::size_t most_changes = 40 + 20 * p;
-    for (std::size_t round = 0; round < most_changes; ++round) {
+    const auto trial = [&]() -> std::optional<Search> {
         if (!settle_directions() || !settle_ratios()) return Search::endless;
         TrialScale scale{.rounding = trial_rounding};
         for (std::size_t k = 0; k < p; ++k) {
@@ -205,15 +206,7 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
             for (std::size_t row = plan_.first[k]; row < plan_.first[k + 1]; ++row)
                 scale.speed = std::max(scale.speed, std::abs(free_rates[row]));
         }
-        ContactViolation worst;
-        std::size_t contact = 0;
-        for (std::size_t k = 0; k < p; ++k) {
-            if (touches[k] == 0) continue;
-            const ContactViolation here = violation(structure_.contacts[k], tried_[k], scale);
-            if (!(here.size > worst.size)) continue;
-            worst = here;
-            contact = k;
-        }
+        auto [contact, worst] = worst_contact(structure_.contacts, tried_, touches, scale);
         if (worst.size == 0.0) return Search::found;
         if (plan_.has_two_tangents(contact) && is_slip(worst.mode)) worst.mode = begin_slip(contact);
         if (is_pressed_by(contact, worst.mode)) return Search::singular;
@@ -221,8 +214,9 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
         change(contact, worst.mode);
         ++changes_;
         if (is_singular_) return Search::singular;
-    }
-    return Search::endless;
+        return std::nullopt;
+    };
+    return change_one_by_one(p, trial).value_or(Search::endless);
 }
 
 bool StepContacts::solve(const std::vector<double>& free_rates, const std::vector<char>& touches) {

@@ -1,12 +1,13 @@
 // The second rule of settling.hpp: contact states whose forces and accelerations obey all laws.
 
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets/contact_sets.hpp"
+#include "stridor/integration/contact_sets/set_search.hpp"
 #include "stridor/integration/taylor/settling.hpp"
 #include "stridor/integration/taylor/settling_zero.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace stridor::integration {
@@ -120,8 +121,8 @@ bool Settling::stick_again(TaylorState& state, const SurfaceSeries& surface, std
 Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSeries& surface) {
     broken_ = begins_;
     std::vector<bool> has_tried(state.set.size());
-    const std::size_t most_changes = 40 + 20 * state.set.size();
-    for (std::size_t change = 0; change < most_changes; ++change) {
+    bool has_changed = false;
+    const auto trial = [&]() -> std::optional<Forces> {
         if (!block_.choose(state.set)) return Forces::inconsistent;
         block_.expand(state.q, state.v, surface, settling_order);
         Violation worst;
@@ -129,9 +130,10 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
             look(state, k, worst);
         if (worst.order > most_dropped) {
             state.dropped = orders_;
-            if (change > 0 && stick_again(state, surface, has_tried)) continue;
+            if (has_changed && stick_again(state, surface, has_tried)) return std::nullopt;
             return Forces::found;
         }
+        has_changed = true;
         ContactMode& mode = state.set[worst.contact];
         if (mode == ContactMode::open) {
             if (worst.order <= 1) {
@@ -147,8 +149,9 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
             mode = slip_mode(worst.function == 1 ? model::Slip::backward : model::Slip::forward);
             broken_[worst.contact] = begins_[worst.contact] = true;
         }
-    }
-    return Forces::inconsistent;
+        return std::nullopt;
+    };
+    return integration::change_one_by_one(state.set.size(), trial).value_or(Forces::inconsistent);
 }
 
 // tries all sets, those nearest to the present one first; returns whether one obeys the laws
@@ -179,19 +182,20 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
     for (std::size_t k = 0; k < p; ++k)
         if (is_slip(present[k]) && is_at_rest[k]) begins_[k] = true;
     if (begins_ != broken_) hold_ended(state, surface);
-    for (const ContactSet& set : contact_sets(possible, present)) {
-        if (!block_.choose(set)) continue;
+    const bool is_found = try_all_sets(possible, present, [&](const ContactSet& set) {
+        if (!block_.choose(set)) return false;
         state.set = set;
         block_.expand(state.q, state.v, surface, settling_order);
         Violation worst;
         for (std::size_t k = 0; k < p; ++k)
             look(state, k, worst);
-        if (worst.order <= most_dropped) continue;
+        if (worst.order <= most_dropped) return false;
         state.dropped = orders_;
         for (std::size_t k = 0; k < p; ++k)
             begins_[k] = is_at_rest[k] && is_slip(set[k]);
         return true;
-    }
+    });
+    if (is_found) return true;
     state.set = present;
     possible_ = possible;
     return false;

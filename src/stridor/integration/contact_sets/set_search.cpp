@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_sets/contact_sets.hpp"
+#include "stridor/integration/contact_sets/set_search.hpp"
 
 #include <algorithm>
 
