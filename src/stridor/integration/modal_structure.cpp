@@ -154,4 +154,17 @@ Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& struc
     return modal.shapes.transpose() * (structure.mass * u);
 }
 
+std::vector<double> padded(const Eigen::VectorXd& x, std::size_t size) {
+    std::vector<double> numbers(size, 0.0);
+    std::copy_n(x.data(), x.size(), numbers.begin());
+    return numbers;
+}
+
+bool is_finite(std::span<const double> q, std::span<const double> v) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < q.size(); ++j)
+        sum += q[j] * 0.0 + v[j] * 0.0;
+    return sum == 0.0;
+}
+
 }  // namespace stridor::integration

@@ -83,4 +83,10 @@ ModalStructure modal_structure(const model::Structure& structure);
 /// Coordinates of displacements or velocities: Φ'M u.
 Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& structure, const Eigen::VectorXd& u);
 
+/// The numbers of a vector, filled up with zeros to a size.
+std::vector<double> padded(const Eigen::VectorXd& x, std::size_t size);
+
+/// Are all of them numbers?
+bool is_finite(std::span<const double> q, std::span<const double> v);
+
 }  // namespace stridor::integration

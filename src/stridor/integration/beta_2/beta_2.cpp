@@ -17,7 +17,7 @@
 
 #include "stridor/integration/energy_held.hpp"
 #include "stridor/integration/expect_solvable.hpp"
-#include "stridor/integration/step_samples.hpp"
+#include "stridor/integration/step_loop.hpp"
 #include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/frequencies.hpp"
@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace stridor::integration {
 
@@ -235,6 +236,12 @@ public:
 
     Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
+
+    // for `run_spans`
+    long steps() const { return n_; }
+    void begin_span();
+    std::optional<Outcome> go_to(long end_of_span, StepSamples& samples, const std::stop_token& stop);
+    void end_span(std::size_t span, long steps, double length);
     record::Outlook outlook(const Outcome& outcome) const;
 
 private:
@@ -354,39 +361,43 @@ void Stepping<dofs>::sample() {
 }
 
 template <int dofs>
-Outcome Stepping<dofs>::run(const std::stop_token& stop) {
-    const double h = coefficients_.h;
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    StepSamples samples = step_samples(recorder_.request().trace, h);
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        const long span_begin = n_;
-        const long span_end = step_at(spans[k].to, h);
-        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
-        while (n_ < span_end) {
-            long end = std::min(span_end, n_ + steps_between_stops);
-            if (samples.next >= n_ && samples.next <= samples.last) {
-                if (samples.next == n_) {
-                    sample();
-                    samples.next += samples.every;
-                }
-                end = std::min(end, samples.next);
-            }
-            advance(end);
-            widen_reach();
-            const double time = static_cast<double>(n_) * h;
-            if (!state_.u.allFinite() || !state_.p.allFinite()) return {Reason::diverged, time};
-            if (stop.stop_requested()) return {Reason::cancelled, time};
-        }
-        const double length = n_ > span_begin ? static_cast<double>(n_ - span_begin) * h : spans[k].to - spans[k].from;
-        if (n_ == span_begin) look();  // a span between two steps has the velocities of the next one
-        for (record::Vibration& sum : vibration_)
-            sum.square_time *= n_ > span_begin ? h : length;
-        recorder_.vibrate(k, length, vibration_);
-        press();
-        recorder_.load(k, {&load_, 1});
-        load_ = {};
+void Stepping<dofs>::begin_span() {
+    std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+}
+
+// in blocks, so that a step has nothing else to ask
+template <int dofs>
+std::optional<Outcome> Stepping<dofs>::go_to(long end_of_span, StepSamples& samples, const std::stop_token& stop) {
+    while (n_ < end_of_span) {
+        long end = std::min(end_of_span, n_ + steps_between_stops);
+        const bool is_sampled = samples.is_within(n_);
+        if (samples.take(n_)) sample();
+        if (is_sampled) end = std::min(end, samples.next);
+        advance(end);
+        widen_reach();
+        const double time = static_cast<double>(n_) * coefficients_.h;
+        if (!state_.u.allFinite() || !state_.p.allFinite()) return Outcome{Reason::diverged, time};
+        if (stop.stop_requested()) return Outcome{Reason::cancelled, time};
     }
-    return {Reason::completed, static_cast<double>(n_) * h};
+    return std::nullopt;
+}
+
+template <int dofs>
+void Stepping<dofs>::end_span(std::size_t span, long steps, double length) {
+    if (steps == 0) look();  // a span between two steps has the velocities of the next one
+    for (record::Vibration& sum : vibration_)
+        sum.square_time *= steps > 0 ? coefficients_.h : length;
+    recorder_.vibrate(span, length, vibration_);
+    press();
+    recorder_.load(span, {&load_, 1});
+    load_ = {};
+}
+
+template <int dofs>
+Outcome Stepping<dofs>::run(const std::stop_token& stop) {
+    const auto go = [&](long end, record::Use, StepSamples& samples) { return go_to(end, samples, stop); };
+    const std::optional<Outcome> ended = run_spans(*this, recorder_, coefficients_.h, go);
+    return ended ? *ended : Outcome{Reason::completed, static_cast<double>(n_) * coefficients_.h};
 }
 
 template <int dofs>

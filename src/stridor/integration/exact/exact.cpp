@@ -34,12 +34,6 @@ constexpr long steps_between_checks = 65536;
 constexpr long samples_between_checks = 4096;
 // so many between two attempts to prove silence: a try costs as much as two steps
 constexpr long steps_between_proofs = 16;
-// so many events within this share of a step are a pile-up that double precision cannot resolve
-constexpr int most_events = 1000;
-constexpr double event_window = 1e-3;
-// [1] of the turnover: the balance closes to rounding, 1.4e-10 in the wildest of 20000 cases; far above, a motion has
-// no meaning
-constexpr double most_unexplained = 1e-9;
 
 }  // namespace
 
@@ -241,16 +235,6 @@ bool ExactRun<dofs>::is_finite() const {
 }
 
 template <int dofs>
-bool ExactRun<dofs>::piles_up() {
-    const double now = time();
-    if (now - window_begin_ > event_window * flow().step) {
-        window_begin_ = now;
-        window_events_ = 0;
-    }
-    return ++window_events_ > most_events;
-}
-
-template <int dofs>
 Outcome ExactRun<dofs>::advance() {
     while (!book_.is_full()) {
         if (!is_finite()) return {Reason::diverged, time()};
@@ -262,7 +246,7 @@ Outcome ExactRun<dofs>::advance() {
         if (lost_) return {*lost_, time()};
         if (silence_) return {Reason::settled, silence_->time};
         if (cycle_) return {stop_.stop_requested() ? Reason::cancelled : Reason::settled, cycle_->time};
-        if (count_ == 0 && piles_up()) return {Reason::chattering, time()};
+        if (count_ == 0 && pile_up_.note(time(), flow().step)) return {Reason::chattering, time()};
     }
     book_.close(book_.end());
     return {Reason::completed, book_.end()};
@@ -279,8 +263,7 @@ Motion ExactRun<dofs>::run() {
 
 template <int dofs>
 record::Outlook ExactRun<dofs>::outlook(const Outcome& outcome) const {
-    if (silence_) return {record::Future::slides, silence_->time};
-    if (cycle_) return {.future = record::Future::repeats, .from = cycle_->time, .period = cycle_->period};
+    if (silence_ || cycle_) return proven_outlook(silence_, cycle_);
     if (outcome.reason != Reason::completed || mode_ != ContactMode::stick) return {};
     const Position last = position(s_, mode_);
     const model::SurfaceMotion motion = drive_.at(outcome.time);

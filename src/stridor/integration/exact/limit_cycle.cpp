@@ -25,22 +25,11 @@ CycleWatch::Finding CycleWatch::note(double time, ContactMode mode, const Lanes&
     return finding;
 }
 
-std::vector<record::ContactInterval> RecentChanges::since(double time) const {
-    std::vector<record::ContactInterval> changes;
+std::vector<ContactChange> RecentChanges::since(double time) const {
+    std::vector<ContactChange> changes;
     for (std::size_t k = count_ > size ? count_ - size : 0; k < count_; ++k)
-        if (ring_[k % size].from >= time) changes.push_back(ring_[k % size]);
+        if (ring_[k % size].from >= time) changes.push_back({0, ring_[k % size]});
     return changes;
-}
-
-void repeat_period(const std::vector<record::ContactInterval>& period, double duration, double end,
-                   record::Recorder& recorder, const std::stop_token& stop) {
-    if (period.empty()) return;
-    for (double number = 1.0; !stop.stop_requested(); ++number)
-        for (record::ContactInterval interval : period) {
-            interval.from += number * duration;
-            if (interval.from >= end) return;
-            recorder.enter(0, interval);
-        }
 }
 
 }  // namespace stridor::integration

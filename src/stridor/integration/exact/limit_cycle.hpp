@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/account.hpp"
 #include "stridor/integration/motion.hpp"
 #include "stridor/integration/return_watch.hpp"
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <stop_token>
 #include <vector>
 
 namespace stridor::integration {
@@ -51,18 +51,13 @@ class RecentChanges {
 public:
     void add(const record::ContactInterval& interval) { ring_[count_++ % size] = interval; }
 
-    /// Those from a time on, in order.
-    std::vector<record::ContactInterval> since(double time) const;
+    /// Returns those from a time on, in order.
+    std::vector<ContactChange> since(double time) const;
 
 private:
     static constexpr std::size_t size = 256;
     std::array<record::ContactInterval, size> ring_;
     std::size_t count_ = 0;
 };
-
-/// Repeats the changes of one period, of some duration, until the run's end or until it is to stop: a long run repeats
-/// a short period a thousand million times.
-void repeat_period(const std::vector<record::ContactInterval>& period, double duration, double end,
-                   record::Recorder& recorder, const std::stop_token& stop);
 
 }  // namespace stridor::integration

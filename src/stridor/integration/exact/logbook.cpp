@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -22,25 +21,22 @@ Logbook::Logbook(record::Recorder& recorder, const Flows& flows, std::vector<dou
     : recorder_(recorder),
       flows_(flows),
       knots_(std::move(knots)),
-      end_(record::end_of(recorder.schedule())) {
+      end_(record::end_of(recorder.schedule())),
+      samples_(sample_times(recorder.request().trace)) {
     while (knot_ < knots_.size() && knots_[knot_] <= 0.0)
         ++knot_;
-    const record::TraceRequest& trace = recorder_.request().trace;
-    if (!(trace.interval > 0.0)) return;
-    sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
-    last_sample_ = static_cast<long>(std::floor(trace.to / trace.interval + 1e-6));
 }
 
 double Logbook::next_stop_time() const {
     double next = spans()[span_].to;
-    if (has_samples()) next = std::min(next, sample_time());
+    if (has_samples()) next = std::min(next, samples_.next_time());
     if (knot_ < knots_.size()) next = std::min(next, knots_[knot_]);
     return next;
 }
 
 Logbook::Stop Logbook::next_stop() const {
     const double time = next_stop_time();
-    if (has_samples() && sample_time() <= time) return Stop::sample;
+    if (has_samples() && samples_.next_time() <= time) return Stop::sample;
     return knot_ < knots_.size() && knots_[knot_] <= time ? Stop::knot : Stop::end_of_span;
 }
 

@@ -2,6 +2,7 @@
 
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/energy_balance.hpp"
+#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/account.hpp"
 #include "stridor/integration/exact/contact_transition.hpp"
 #include "stridor/integration/exact/limit_cycle.hpp"
@@ -28,10 +29,10 @@ public:
 
     bool is_full() const { return span_ == spans().size(); }  // all spans have ended
     double end() const { return end_; }                       // [s] of the run
-    bool has_samples() const { return sample_ <= last_sample_; }
+    bool has_samples() const { return samples_.has_next(); }
     Stop next_stop() const;
     double next_stop_time() const;  // [s]
-    void pass_sample() { ++sample_; }
+    void pass_sample() { ++samples_.next; }
     void pass_knot() { ++knot_; }
 
     Sums& full(ContactMode mode) { return account_.full[static_cast<int>(mode)]; }
@@ -67,7 +68,6 @@ public:
 
 private:
     const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
-    double sample_time() const { return static_cast<double>(sample_) * recorder_.request().trace.interval; }
     void tell();
     void vibrate();
 
@@ -77,8 +77,7 @@ private:
     double end_ = 0.0;           // [s]
     std::size_t span_ = 0;
     std::size_t knot_ = 0;
-    long sample_ = 0;  // number of the next sample
-    long last_sample_ = -1;
+    SampleTimes samples_;
 
     Account account_;
     Totals banked_;         // of this span

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/exact/logbook.hpp"
 #include "stridor/integration/imposed_motion.hpp"
@@ -65,7 +66,6 @@ private:
     void press(double tau);
     void enter(const Transition& next);
     bool is_finite() const;
-    bool piles_up();
 
     // exact_energy.cpp
     Position position(const Lanes& s, ContactMode mode) const;
@@ -101,8 +101,7 @@ private:
     Lanes closed_reach_{};         // the largest that each number of the state has been, by kind of state
     Lanes open_reach_{};
 
-    double window_begin_ = 0.0;  // [s] of the search for pile-ups
-    int window_events_ = 0;
+    PileUp pile_up_;
     std::optional<Reason> lost_;  // why the search for events gave up
 
     bool may_end_early_ = false;

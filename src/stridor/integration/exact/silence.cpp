@@ -1,5 +1,6 @@
 #include "stridor/integration/exact/silence.hpp"
 
+#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/contact_transition.hpp"
 
 #include <Eigen/Cholesky>
@@ -11,10 +12,6 @@
 namespace stridor::integration {
 
 namespace {
-
-// so many steps are sampled for peaks where a window begins, a third of a second of Table 1: friction makes the modes
-// lean on each other, and a sum of decaying vibrations may first grow
-constexpr double sampled_steps = 1024.0;
 
 // X of A'X + X A = -Q, Q symmetric: a linear system for the entries above the diagonal
 template <typename Matrix>
@@ -101,7 +98,7 @@ void Sliding::pass(const Kernel& kernel, double duration, record::Use use, Lanes
     Sums peaks{};
     Lanes sampled = s;
     const bool is_kept = record::is_judged(use);
-    const double sampled_length = is_kept ? std::min(sampled_steps, duration / flow_.step) : 0.0;
+    const double sampled_length = is_kept ? std::min<double>(steps_sampled_for_peaks, duration / flow_.step) : 0.0;
     const double sampled_whole = std::floor(sampled_length);
     for (long k = 0; k < static_cast<long>(sampled_whole); ++k)
         kernel.leap(flow_, sampled, peaks);

@@ -14,7 +14,7 @@
 #include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/imposed_force.hpp"
 #include "stridor/integration/massless/massless_run.hpp"
-#include "stridor/integration/step_samples.hpp"
+#include "stridor/integration/step_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +23,6 @@
 #include <utility>
 
 namespace stridor::integration {
-
-namespace {
-
-constexpr long steps_between_looks_massless = 256;
-
-std::vector<double> filled_up(const Eigen::VectorXd& x, std::size_t size) {
-    std::vector<double> numbers(size, 0.0);
-    std::copy_n(x.data(), x.size(), numbers.begin());
-    return numbers;
-}
-
-}  // namespace
 
 MasslessRun::MasslessRun(const model::Structure& structure, MasslessStructure massless, const parameters::Drive& drive,
                          const InitialState& start, double step, record::Recorder& recorder)
@@ -48,8 +36,8 @@ MasslessRun::MasslessRun(const model::Structure& structure, MasslessStructure ma
       rows_(massless_.modal),
       contacts_(massless_.modal, massless_.flexibility / step,
                 std::vector<ContactMode>(structure.contacts.size(), ContactMode::stick)),
-      q_(filled_up(modal(massless_.modal, structure, start.displacement), rows_.padded_modes())),
-      v_(filled_up(modal(massless_.modal, structure, start.velocity), rows_.padded_modes())),
+      q_(padded(modal(massless_.modal, structure, start.displacement), rows_.padded_modes())),
+      v_(padded(modal(massless_.modal, structure, start.velocity), rows_.padded_modes())),
       push_(q_.size(), 0.0),
       all_(massless_.plan.rows()),
       touches_(structure.contacts.size(), 1),
@@ -69,7 +57,7 @@ MasslessRun::MasslessRun(const model::Structure& structure, MasslessStructure ma
     channels_shaken_ =
         has_channels ? Eigen::VectorXd(structure.measured * massless_.shaken_moved) : massless_.shaken_moved;
     if (structure.shaken.size() != 0)
-        shaken_ = filled_up(massless_.modal.shapes.transpose() * structure.shaken, rows_.padded_modes());
+        shaken_ = padded(massless_.modal.shapes.transpose() * structure.shaken, rows_.padded_modes());
     for (const std::size_t row : all_) {
         share_.push_back(drive_share_of(massless_.modal.contacts, massless_.plan, row));
         const std::size_t contact = massless_.plan.contact[row];
@@ -143,6 +131,22 @@ bool MasslessRun::advance() {
     return true;
 }
 
+void MasslessRun::begin_span() {
+    std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+    std::fill(load_.begin(), load_.end(), record::Load());
+    press(forces_);
+    watched_ = 0;
+}
+
+void MasslessRun::end_span(std::size_t span, long, double length) {
+    if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
+    for (record::Vibration& sum : vibration_)
+        sum.square_time *= length / static_cast<double>(watched_);
+    recorder_.vibrate(span, length, vibration_);
+    press(forces_);
+    recorder_.load(span, load_);
+}
+
 Outcome MasslessRun::run(const std::stop_token& stop) {
     force_ = force_before_ = imposed_force(drive_, 0.0);
     if (!settle(0.0)) return {Reason::no_forces, 0.0};
@@ -152,36 +156,10 @@ Outcome MasslessRun::run(const std::stop_token& stop) {
     shakers_place_ = shaken_place();
     dashpot_power_ = dashpot_power(massless_.modal, v_);
     initial_energy_ = stored();
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    StepSamples samples = step_samples(recorder_.request().trace, step_);
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        const long begin = n_;
-        const long end = step_at(spans[k].to, step_);
-        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
-        std::fill(load_.begin(), load_.end(), record::Load());
-        press(forces_);
-        watched_ = 0;
-        while (n_ < end) {
-            if (record::is_judged(spans[k].use)) watch();
-            if (n_ == samples.next && samples.next <= samples.last) {
-                sample();
-                samples.next += samples.every;
-            }
-            if (n_ % steps_between_looks_massless == 0) {
-                widen(travel_, q_, v_);
-                if (!is_finite()) return {Reason::diverged, time()};
-                if (stop.stop_requested()) return {Reason::cancelled, time()};
-            }
-            if (!advance()) return {Reason::no_forces, time()};
-        }
-        const double length = n_ > begin ? static_cast<double>(n_ - begin) * step_ : spans[k].to - spans[k].from;
-        if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
-        for (record::Vibration& sum : vibration_)
-            sum.square_time *= length / static_cast<double>(watched_);
-        recorder_.vibrate(k, length, vibration_);
-        press(forces_);
-        recorder_.load(k, load_);
-    }
+    const auto go = [&](long end, record::Use use, StepSamples& samples) {
+        return step_to(*this, end, use, samples, stop);
+    };
+    if (const auto ended = run_spans(*this, recorder_, step_, go)) return *ended;
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
 }
 

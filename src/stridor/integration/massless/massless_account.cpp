@@ -109,13 +109,6 @@ void MasslessRun::sample() {
                       motion_.at(time()).velocity, contacts});
 }
 
-bool MasslessRun::is_finite() const {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < q_.size(); ++j)
-        sum += q_[j] * 0.0 + v_[j] * 0.0;
-    return sum == 0.0;
-}
-
 // [J] work that the constant load has done on what has no inertia, from where nothing pushes it
 double MasslessRun::load_place() const {
     return massless_.load_place.dot(numbers_at(forces_)) + massless_.load_by_load + massless_.load_by_shaken * force_;

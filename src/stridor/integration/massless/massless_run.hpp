@@ -22,18 +22,27 @@ public:
     Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
 
-private:
+    // for `run_spans` and `step_to`
+    long steps() const { return n_; }
     double time() const { return static_cast<double>(n_) * step_; }
+    void begin_span();
+    void end_span(std::size_t span, long steps, double length);
     bool advance();
+    void watch();
+    void sample();
+    void widen_travel() { widen(travel_, q_, v_); }
+    bool is_finite() const { return integration::is_finite(q_, v_); }
+    Outcome without_forces() const { return {Reason::no_forces, time()}; }
+    static constexpr long watch_every() { return 1; }
+    static constexpr bool samples_behind() { return false; }
+
+private:
     bool settle(double surface_travel);
     void shake();
     void push_by_half();
     void note(double surface_travel);
     void press(const std::vector<double>& forces);
     void tell(std::size_t contact);
-    void watch();
-    void sample();
-    bool is_finite() const;
     double stored() const;
     double load_place() const;
     double shaken_place() const;

@@ -14,7 +14,7 @@
 #include "stridor/integration/expect_solvable.hpp"
 #include "stridor/integration/imposed_force.hpp"
 #include "stridor/integration/moreau/moreau_run.hpp"
-#include "stridor/integration/step_samples.hpp"
+#include "stridor/integration/step_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +26,10 @@ namespace stridor::integration {
 
 namespace {
 
-constexpr long steps_between_looks = 256;
 constexpr long steps_between_projections = 64;
 constexpr double closed_rounding = 1e-9;  // [1] of a gap's terms: closed at the start
 constexpr double still_rounding = 1e-12;
 constexpr std::size_t modes_per_watched_step = 16;  // velocities of all degrees of freedom cost modes² operations
-
-std::vector<double> padded(const Eigen::VectorXd& x, std::size_t size) {
-    std::vector<double> numbers(size, 0.0);
-    std::copy_n(x.data(), x.size(), numbers.begin());
-    return numbers;
-}
 
 // what contacts do at the start, from their gaps and velocities
 std::vector<ContactMode> first_set(const ModalStructure& structure, const std::vector<double>& q,
@@ -221,40 +214,32 @@ bool MoreauRun::advance() {
     return true;
 }
 
+Outcome MoreauRun::without_forces() {
+    pressed_ = numbered(structure_, contacts_.pressed(touches_));
+    return {pressed_.empty() ? Reason::no_forces : Reason::painleve, time()};
+}
+
+void MoreauRun::begin_span() {
+    std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+    std::fill(load_.begin(), load_.end(), record::Load());
+    press();
+    watched_ = 0;
+}
+
+void MoreauRun::end_span(std::size_t span, long, double length) {
+    if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
+    for (record::Vibration& sum : vibration_)
+        sum.square_time *= length / static_cast<double>(watched_);
+    recorder_.vibrate(span, length, vibration_);
+    press();
+    recorder_.load(span, load_);
+}
+
 Outcome MoreauRun::run(const std::stop_token& stop) {
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    StepSamples samples = step_samples(recorder_.request().trace, step_);
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        const long begin = n_;
-        const long end = step_at(spans[k].to, step_);
-        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
-        std::fill(load_.begin(), load_.end(), record::Load());
-        press();
-        watched_ = 0;
-        while (n_ < end) {
-            if (n_ % watch_every_ == 0 && record::is_judged(spans[k].use)) watch();
-            if (n_ % steps_between_looks == 0) {
-                widen(travel_, q_, v_);
-                if (!is_finite()) return {Reason::diverged, time()};
-                if (stop.stop_requested()) return {Reason::cancelled, time()};
-            }
-            if (!advance()) {
-                pressed_ = numbered(structure_, contacts_.pressed(touches_));
-                return {pressed_.empty() ? Reason::no_forces : Reason::painleve, time()};
-            }
-            if (n_ - 1 == samples.next && samples.next <= samples.last) {
-                sample();
-                samples.next += samples.every;
-            }
-        }
-        const double length = n_ > begin ? static_cast<double>(n_ - begin) * step_ : spans[k].to - spans[k].from;
-        if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
-        for (record::Vibration& sum : vibration_)
-            sum.square_time *= length / static_cast<double>(watched_);
-        recorder_.vibrate(k, length, vibration_);
-        press();
-        recorder_.load(k, load_);
-    }
+    const auto go = [&](long end, record::Use use, StepSamples& samples) {
+        return step_to(*this, end, use, samples, stop);
+    };
+    if (const auto ended = run_spans(*this, recorder_, step_, go)) return *ended;
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
 }
 

@@ -120,13 +120,6 @@ double MoreauRun::elastic() const {
     return energy;
 }
 
-bool MoreauRun::is_finite() const {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < q_.size(); ++j)
-        sum += q_[j] * 0.0 + v_[j] * 0.0;
-    return sum == 0.0;
-}
-
 EnergyBalance MoreauRun::energy() const {
     EnergyBalance balance = work_;
     balance.stored = stored_energy(structure_, q_, v_) - initial_energy_;

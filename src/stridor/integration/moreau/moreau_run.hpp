@@ -29,9 +29,21 @@ public:
     /// Contacts that friction presses without end, if the run ended so.
     const std::vector<std::size_t>& pressed() const { return pressed_; }
 
-private:
+    // for `run_spans` and `step_to`
+    long steps() const { return n_; }
     double time() const { return static_cast<double>(n_) * step_; }
+    void begin_span();
+    void end_span(std::size_t span, long steps, double length);
     bool advance();
+    void watch();
+    void sample();
+    void widen_travel() { widen(travel_, q_, v_); }
+    bool is_finite() const { return integration::is_finite(q_, v_); }
+    Outcome without_forces();
+    long watch_every() const { return watch_every_; }
+    static constexpr bool samples_behind() { return true; }  // its forces are known then
+
+private:
     void shake();
     void find_touching();
     void ask_for(std::size_t contact);
@@ -41,10 +53,7 @@ private:
     void note(double start_velocity, double end_velocity);
     void press();
     void tell(std::size_t contact);
-    void watch();
-    void sample();
     double elastic() const;
-    bool is_finite() const;
 
     const model::Structure& whole_;
     ModalStructure structure_;

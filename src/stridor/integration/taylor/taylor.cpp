@@ -29,14 +29,10 @@ namespace {
 
 constexpr long blocks_between_checks = 256;
 constexpr long blocks_between_projections = 8;
-// so many events within this share of a block are a pile-up that double precision cannot resolve
-constexpr int most_events_at_once = 1000;
-constexpr double pile_up_window = 1e-3;
 // flights and slips that would end within this share of a block have ended; a longer one each time that a crowd of
 // events came within one block, so that contacts which throw each other off come to an end
 constexpr std::array ended_share{1e-6, 1e-5, 1e-4, 1e-3};
-constexpr std::size_t crowd = 200;  // events
-constexpr double most_unexplained_share = 1e-9;
+constexpr std::size_t crowd = 200;   // events
 constexpr int longest_period = 512;  // events
 
 }  // namespace
@@ -70,11 +66,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
     is_steady_ = parameters::is_steady(drive);
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
                      !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
-    const record::TraceRequest& trace = recorder_.request().trace;
-    if (trace.interval > 0.0) {
-        sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
-        last_sample_ = static_cast<long>(std::floor(trace.to / trace.interval + 1e-6));
-    }
+    samples_ = sample_times(recorder_.request().trace);
 }
 
 SurfaceSeries TaylorRun::surface(double time) const {
@@ -139,7 +131,7 @@ void TaylorRun::tell() {
         }
         const record::ContactInterval interval{contact_of(state_.set[k]), time_, 0.0, w, rate};
         recorder_.enter(structure_.number[k], interval);
-        if (is_measuring_) period_changes_.emplace_back(structure_.number[k], interval);
+        if (is_measuring_) period_changes_.push_back({structure_.number[k], interval});
     }
     told_ = state_.set;
 }
@@ -161,11 +153,7 @@ std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     is_fresh_ = true;
     blocks_since_event_ = 0;
     tell();
-    if (time_ - window_begin_ > pile_up_window * step_) {
-        window_begin_ = time_;
-        window_events_ = 0;
-    }
-    if (++window_events_ > most_events_at_once) return Outcome{Reason::chattering, time_};
+    if (pile_up_.note(time_, step_)) return Outcome{Reason::chattering, time_};
     return std::nullopt;
 }
 
@@ -187,13 +175,6 @@ bool TaylorRun::pass_boundary() {
     return span_ < spans().size();
 }
 
-bool TaylorRun::is_finite() const {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < state_.q.size(); ++j)
-        sum += state_.q[j] * 0.0 + state_.v[j] * 0.0;
-    return sum == 0.0;
-}
-
 Outcome TaylorRun::advance(const std::stop_token& stop) {
     surface_ = surface(0.0);
     initial_energy_ = stored_energy(structure_, state_.q, state_.v);
@@ -205,7 +186,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
     double entered = -1.0;  // [s] end of the span whose beginning has been looked at
     for (long blocks = 1; span_ < spans().size(); ++blocks) {
         if (blocks % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
-        if (!is_finite()) return {Reason::diverged, time_};
+        if (!is_finite(state_.q, state_.v)) return {Reason::diverged, time_};
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
         block_.expand(state_.q, state_.v, surface_);
@@ -255,7 +236,7 @@ Motion TaylorRun::run(const std::stop_token& stop) {
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? final_balance_ : energy();
     record::Record record = recorder_.finish(is_filled ? spans().back().to : outcome.time, outlooks(outcome));
-    Motion motion{weighed(outcome, balance, most_unexplained_share), balance, std::move(record), silence_, cycle_};
+    Motion motion{weighed(outcome, balance, most_unexplained), balance, std::move(record), silence_, cycle_};
     if (has_result(motion.outcome)) return motion;
     motion.last_set.resize(state_.set.size());
     for (std::size_t k = 0; k < state_.set.size(); ++k)

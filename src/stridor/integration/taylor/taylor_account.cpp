@@ -116,11 +116,10 @@ void TaylorRun::add_impacts() {
 }
 
 void TaylorRun::pass_samples(double theta) {
-    const double interval = recorder_.request().trace.interval;
     const auto n = static_cast<Eigen::Index>(structure_.modes());
     Eigen::VectorXd q(n), v(n), a(n);
-    for (; sample_ <= last_sample_; ++sample_) {
-        const double time = static_cast<double>(sample_) * interval;
+    for (; samples_.has_next(); ++samples_.next) {
+        const double time = samples_.next_time();
         const double x = std::max(0.0, (time - time_) / step_);
         if (x > theta) return;
         block_.state_at(x, {q.data(), structure_.modes()}, {v.data(), structure_.modes()});

@@ -12,8 +12,6 @@ namespace {
 
 // a proof costs about as much as so many blocks for each mode; the next is tried after twice as long
 constexpr long blocks_before_proof = 16;
-// so many blocks are sampled for peaks where a span begins
-constexpr long sampled_blocks = 1024;
 
 }  // namespace
 
@@ -36,7 +34,7 @@ void TaylorRun::fill_with_silence(LastingSet& set) {
     while (span_ < spans().size()) {
         const record::Span span = spans()[span_];
         const bool is_kept = record::is_judged(span.use);
-        for (long block = 0; is_kept && block < sampled_blocks && time_ < span.to; ++block) {
+        for (long block = 0; is_kept && block < steps_sampled_for_peaks && time_ < span.to; ++block) {
             if (!block_.choose(state_.set)) break;
             block_.expand(state_.q, state_.v, surface_);
             const double left = (span.to - time_) / step_;
@@ -90,15 +88,7 @@ bool TaylorRun::watch_for_cycle(const std::stop_token& stop) {
 }
 
 void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
-    const double end = spans().back().to;
-    const auto is_over = [&](double number) {
-        return period_changes_.empty() || period_changes_.front().second.from + number * duration >= end;
-    };
-    for (double number = 1.0; !is_over(number) && !stop.stop_requested(); ++number)
-        for (auto [contact, interval] : period_changes_) {
-            interval.from += number * duration;
-            if (interval.from < end) recorder_.enter(contact, interval);
-        }
+    repeat_period(period_changes_, duration, spans().back().to, recorder_, stop);
     for (; span_ < spans().size(); end_span()) {
         const double count = (spans()[span_].to - time_) / duration;
         if (record::is_judged(spans()[span_].use)) {
@@ -118,11 +108,7 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
 }
 
 std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
-    std::vector<record::Outlook> known(structure_.number.size());
-    if (silence_) std::fill(known.begin(), known.end(), record::Outlook{record::Future::slides, silence_->time});
-    if (cycle_)
-        std::fill(known.begin(), known.end(),
-                  record::Outlook{.future = record::Future::repeats, .from = cycle_->time, .period = cycle_->period});
+    std::vector<record::Outlook> known(structure_.number.size(), proven_outlook(silence_, cycle_));
     const bool may_know = outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes;
     if (!may_know) return known;
     const LastingSet set(structure_, state_.set, surface(outcome.time)[0]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/modal_energy.hpp"
 #include "stridor/integration/return_watch.hpp"
@@ -10,7 +11,6 @@
 
 #include <optional>
 #include <stop_token>
-#include <utility>
 #include <vector>
 
 namespace stridor::integration {
@@ -69,7 +69,6 @@ private:
     void fill_with_cycle(double duration, const std::stop_token& stop);
     double distance(const Event& a, const Event& b) const;
     std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
-    bool is_finite() const;
 
     const model::Structure& whole_;
     ImposedMotion drive_;
@@ -84,15 +83,14 @@ private:
     double time_ = 0.0;     // [s]
     std::size_t span_ = 0;
     std::size_t corner_ = 0;
-    long sample_ = 0;
-    long last_sample_ = -1;
+    SampleTimes samples_;
     std::vector<ContactMode> told_;
     Sums sums_;               // of the span so far
     double sums_from_ = 0.0;  // [s]
     Sums period_;             // of the period that is being measured
     bool is_measuring_ = false;
-    std::vector<std::pair<std::size_t, record::ContactInterval>> period_changes_;  // in it, with their contacts
-    bool is_steady_ = false;  // the drive, so that the future can be known
+    std::vector<ContactChange> period_changes_;  // in it
+    bool is_steady_ = false;                     // the drive, so that the future can be known
     bool may_end_early_ = false;
     ReturnWatch<Event> watch_;
     long blocks_since_event_ = 0;
@@ -102,8 +100,7 @@ private:
     EnergyBalance work_;           // dashpots, friction, drive
     double initial_energy_ = 0.0;
     ModalTravel travel_;
-    double window_begin_ = 0.0;  // [s] of the search for pile-ups
-    int window_events_ = 0;
+    PileUp pile_up_;
     double crowd_begin_ = 0.0;  // [s] of the events that are counted together
     std::size_t crowd_events_ = 0;
     std::vector<double> scratch_;
