@@ -67,14 +67,19 @@ TEST_F(Formulations, AreTwoRunsSideBySide) {
     EXPECT_EQ(both["massless"]["category"], massless["verdict"]["category"]);
     EXPECT_EQ(both["massless"]["agrees"], both["verdict"]["category"] == both["massless"]["category"]);
     ASSERT_EQ(both["massless"]["contacts"].size(), 5U);
-    for (std::size_t k = 0; k < 5; ++k)
+    for (std::size_t k = 0; k < 5; ++k) {
         EXPECT_EQ(both["massless"]["contacts"][k]["rates"], massless["contacts"][k]["rates"]);
+        EXPECT_EQ(both["massless"]["contacts"][k]["verdict"], massless["contacts"][k]["verdict"]);
+        EXPECT_TRUE(both["massless"]["contacts"][k]["verdict"].contains("step_change"));
+    }
 }
 
 TEST_F(Formulations, SayInWordsHowFarTheyAreApart) {
     const json both = phase_of("both");
     const std::string text = simulated("both", "--set=run.step=1e-6");
     EXPECT_NE(text.find("\nwithout inertia at the contacts shares differ by at most: slip "), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\nwithout inertia, shares changed from twice the step by at most: slip "), std::string::npos)
         << text;
     EXPECT_EQ(text.find("the formulations disagree") == std::string::npos, both["massless"]["agrees"]) << text;
 }

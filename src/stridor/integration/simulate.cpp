@@ -5,12 +5,12 @@
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/initial_state.hpp"
 #include "stridor/integration/massless/massless_structure.hpp"
-#include "stridor/integration/moreau/moreau_twice.hpp"
 #include "stridor/integration/sliding_growth.hpp"
 #include "stridor/integration/step_twice.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
+#include "stridor/parameters/engines.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
@@ -74,7 +74,8 @@ Cost cost(const parameters::Case& c) {
     // at the step and at twice the step
     const double limit =
         c.run.engine == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
-    return {std::ceil(1.5 * c.run.duration / c.run.step), 0.5 * limit};
+    const auto formulations = static_cast<double>(parameters::methods_of(c).size());
+    return {std::ceil(1.5 * c.run.duration / c.run.step) * formulations, 0.5 * limit};
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {

@@ -147,11 +147,11 @@ std::string margin_line(const classification::Margin& margin) {
                        has_error ? fmt::format("  error {:.1g}", *margin.error) : "");
 }
 
-// by how much the shares of a phase's contacts changed from twice the step
-std::string step_change_text(const integration::Motion& motion) {
+// by how much the shares of the contacts changed from twice the step, in all phases
+std::string step_change_text(const std::vector<record::Tally>& phases) {
     analysis::Rates most;
     bool was_compared = false;
-    for (const record::Tally& phase : motion.record.phases)
+    for (const record::Tally& phase : phases)
         for (std::size_t k = 0; k < phase.contacts.size(); ++k) {
             const std::optional<analysis::Rates> change = analysis::evidence(phase, k).step_change;
             if (!change) continue;
@@ -191,7 +191,8 @@ std::string massless_text(const parameters::Case& c, const integration::Motion& 
             text += fmt::format("{}the formulations disagree: {} with inertia at the contacts, {} without\n", phase,
                                 classification::name(first), classification::name(second));
     }
-    return text;
+    const std::string change = step_change_text(motion.massless->phases);
+    return change.empty() ? text : text + "without inertia, " + change;
 }
 
 // what the contacts of an interface do as a whole
@@ -252,7 +253,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         "separ.", "regularity", "frequency", c.own_structure ? "level" : "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
-    text += contacts_text(c, motion) + step_change_text(motion) + massless_text(c, motion) + "\n";
+    text += contacts_text(c, motion) + step_change_text(motion.record.phases) + massless_text(c, motion) + "\n";
     for (const Verdict& verdict : verdicts) {
         text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "stridor/integration/initial_state.hpp"
 #include "stridor/integration/massless/massless_structure.hpp"
-#include "stridor/integration/moreau/moreau.hpp"
+#include "stridor/integration/motion.hpp"
+#include "stridor/parameters/case.hpp"
 
 #include <stop_token>
 
