@@ -1,8 +1,8 @@
 // Speed with several contacts: two joints on a plate, strips of rubber, a bowed string. Processor time per simulated
 // second, changes of contact states, the share of sticking.
 
-#include "stridor/integration/moreau/moreau.hpp"
-#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/integration/series/taylor.hpp"
+#include "stridor/integration/steps/moreau.hpp"
 #include "stridor/model/built/bowed_string.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"

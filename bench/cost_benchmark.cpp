@@ -3,8 +3,8 @@
 
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
-#include "stridor/integration/moreau/moreau.hpp"
-#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/integration/series/taylor.hpp"
+#include "stridor/integration/steps/moreau.hpp"
 #include "stridor/model/built/bowed_string.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/storage/atomic_file.hpp"

@@ -1,7 +1,7 @@
 // Speed of Moreau's time stepping: time per step against the number of modes and of contacts, on a strip of rubber made
 // of springs with lumped masses, and on two joints on a plate.
 
-#include "stridor/integration/moreau/moreau.hpp"
+#include "stridor/integration/steps/moreau.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 

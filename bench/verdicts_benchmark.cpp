@@ -6,7 +6,7 @@
 // The file has a row per phase and change that gave another category.
 
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/integration/outcome.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "support/counter_random.hpp"
 

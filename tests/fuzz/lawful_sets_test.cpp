@@ -2,10 +2,10 @@
 // of contact and lets what has no slip velocity stick if it can. It is the one that the Taylor engine finds, which
 // searches by single changes. The forces of each set are solved here anew, in the rows of the structure.
 
-#include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets/set_search.hpp"
-#include "stridor/integration/modal_structure.hpp"
-#include "stridor/integration/taylor/settling.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/rules/set_search.hpp"
+#include "stridor/integration/series/settling.hpp"
 #include "support/counter_random.hpp"
 #include "support/effort.hpp"
 #include "support/runs.hpp"

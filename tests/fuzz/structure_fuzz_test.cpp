@@ -2,9 +2,9 @@
 // for, or refused for a reason that is theirs.
 
 #include "stridor/base/error.hpp"
-#include "stridor/integration/imposed_motion.hpp"
-#include "stridor/integration/modal_structure.hpp"
-#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
+#include "stridor/integration/series/taylor.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "support/effort.hpp"
 #include "support/patience.hpp"

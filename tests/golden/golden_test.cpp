@@ -3,7 +3,7 @@
 
 #include "golden/results.hpp"
 #include "golden/witness.hpp"
-#include "stridor/integration/exact/kernel.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "golden/values.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/record/tally.hpp"
 
 namespace stridor::golden {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "stridor/integration/initial_state.hpp"
-#include "stridor/integration/moreau/moreau.hpp"
-#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/integration/run/initial_state.hpp"
+#include "stridor/integration/series/taylor.hpp"
+#include "stridor/integration/steps/moreau.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/effort.hpp"

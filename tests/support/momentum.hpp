@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/outcome.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/parameters/own_structure.hpp"

@@ -1,7 +1,7 @@
 // Two ways of computing one motion, from event to event and by steps: the same category, or undecided with its margin.
 
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/integration/outcome.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "support/counter_random.hpp"
 #include "support/effort.hpp"

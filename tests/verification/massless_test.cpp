@@ -1,9 +1,9 @@
 // The time stepping whose contacts have no inertia: closed forms, orders, and the same structures with inertia.
 
-#include "stridor/integration/massless/massless.hpp"
+#include "stridor/integration/steps/massless.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/integration/step_twice.hpp"
+#include "stridor/integration/steps/formulations.hpp"
 #include "stridor/model/modal_damping.hpp"
 #include "support/effort.hpp"
 #include "support/many_contacts.hpp"

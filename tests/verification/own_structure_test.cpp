@@ -3,7 +3,7 @@
 
 #include "stridor/parameters/own_structure.hpp"
 
-#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/run/initial_state.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"

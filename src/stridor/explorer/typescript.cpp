@@ -5,7 +5,7 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/text.hpp"
-#include "stridor/integration/outcome.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/contact_field.hpp"

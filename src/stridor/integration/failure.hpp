@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <optional>

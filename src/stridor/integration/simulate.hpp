@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/exact/flow.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"

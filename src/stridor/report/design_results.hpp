@@ -6,7 +6,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/case.hpp"

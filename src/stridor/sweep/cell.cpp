@@ -5,7 +5,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"

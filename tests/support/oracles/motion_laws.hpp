@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/run/initial_state.hpp"
 #include "stridor/model/modal_damping.hpp"
 #include "stridor/model/structure.hpp"
 

@@ -1,6 +1,6 @@
 #include "support/structures/wild_structures.hpp"
 
-#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
 #include "support/counter_random.hpp"
 
 #include <algorithm>

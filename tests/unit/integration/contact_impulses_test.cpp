@@ -1,6 +1,6 @@
-#include "stridor/integration/contact_sets/contact_impulses.hpp"
+#include "stridor/integration/rules/contact_impulses.hpp"
 
-#include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "support/counter_random.hpp"
 

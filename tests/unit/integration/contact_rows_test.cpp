@@ -1,6 +1,6 @@
-#include "stridor/integration/moreau/contact_rows.hpp"
+#include "stridor/integration/steps/contact_rows.hpp"
 
-#include "stridor/integration/moreau/exchange_tableau.hpp"
+#include "stridor/integration/steps/exchange_tableau.hpp"
 
 #include <gtest/gtest.h>
 

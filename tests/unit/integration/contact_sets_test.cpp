@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_sets/set_search.hpp"
+#include "stridor/integration/rules/set_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_sets/contact_violation.hpp"
+#include "stridor/integration/rules/set_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/energy_balance.hpp"
+#include "stridor/integration/run/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/taylor/event_polynomial.hpp"
+#include "stridor/integration/series/event_polynomial.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

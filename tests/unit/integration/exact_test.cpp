@@ -1,6 +1,6 @@
 #include "stridor/integration/exact/exact.hpp"
 
-#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/integration/moreau/exchange_tableau.hpp"
+#include "stridor/integration/steps/exchange_tableau.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "stridor/integration/moreau/free_propagation.hpp"
+#include "stridor/integration/steps/free_propagation.hpp"
 
 #include "stridor/model/structure.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/taylor/held_sums.hpp"
+#include "stridor/integration/series/held_sums.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/imposed_force.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
 
 #include <gtest/gtest.h>
 

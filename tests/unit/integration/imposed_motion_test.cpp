@@ -1,4 +1,4 @@
-#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
 
 #include "support/property.hpp"
 

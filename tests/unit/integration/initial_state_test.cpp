@@ -1,4 +1,4 @@
-#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/run/initial_state.hpp"
 
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/rubbing_system.hpp"

@@ -1,7 +1,7 @@
-#include "stridor/integration/taylor/lasting_set.hpp"
+#include "stridor/integration/proofs/lasting_set.hpp"
 
-#include "stridor/integration/taylor/lyapunov.hpp"
-#include "stridor/integration/taylor/taylor_block.hpp"
+#include "stridor/integration/proofs/lyapunov.hpp"
+#include "stridor/integration/series/taylor_block.hpp"
 #include "stridor/model/built/chain_on_belt.hpp"
 #include "support/many_contacts.hpp"
 #include "support/property.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_sets/painleve.hpp"
+#include "stridor/integration/rules/painleve.hpp"
 
 #include <gtest/gtest.h>
 

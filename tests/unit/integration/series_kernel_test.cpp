@@ -1,4 +1,4 @@
-#include "stridor/integration/taylor/series_kernel.hpp"
+#include "stridor/integration/kernels/series_kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "stridor/integration/taylor/settling.hpp"
+#include "stridor/integration/series/settling.hpp"
 
-#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/sticking.hpp"
+#include "stridor/integration/proofs/sticking.hpp"
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"

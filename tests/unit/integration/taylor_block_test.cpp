@@ -1,6 +1,6 @@
-#include "stridor/integration/taylor/taylor_block.hpp"
+#include "stridor/integration/series/taylor_block.hpp"
 
-#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/integration/series/taylor.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/modal/modal_structure.hpp"
 #include "support/many_contacts.hpp"
 
 #include <gtest/gtest.h>

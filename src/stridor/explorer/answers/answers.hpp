@@ -4,7 +4,7 @@
 #include "stridor/explorer/body.hpp"
 #include "stridor/explorer/http.hpp"
 #include "stridor/explorer/world.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/signal/source.hpp"
 

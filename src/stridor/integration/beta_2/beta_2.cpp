@@ -15,10 +15,10 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 
-#include "stridor/integration/energy_held.hpp"
-#include "stridor/integration/expect_solvable.hpp"
-#include "stridor/integration/step_loop.hpp"
-#include "stridor/integration/sticking.hpp"
+#include "stridor/integration/proofs/sticking.hpp"
+#include "stridor/integration/rules/expect_solvable.hpp"
+#include "stridor/integration/run/energy_held.hpp"
+#include "stridor/integration/run/step_loop.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/sized_structure.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "stridor/integration/imposed_motion.hpp"
-#include "stridor/integration/initial_state.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
+#include "stridor/integration/run/initial_state.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/record/recorder.hpp"
 

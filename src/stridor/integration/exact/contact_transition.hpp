@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/exact/tables.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
 #include "stridor/model/structure.hpp"
 
 /// How a contact goes on once its state has ended: by the signs of forces, velocities and what is zero by construction.

@@ -4,8 +4,8 @@
 
 #include "stridor/model/energy.hpp"
 
-#include "stridor/integration/energy_held.hpp"
 #include "stridor/integration/exact/run.hpp"
+#include "stridor/integration/run/energy_held.hpp"
 
 #include <algorithm>
 #include <cmath>

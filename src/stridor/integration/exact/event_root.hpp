@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/exact/kernel.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
 
 namespace stridor::integration {
 

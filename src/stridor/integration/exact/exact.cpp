@@ -14,8 +14,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/exact/event_root.hpp"
 #include "stridor/integration/exact/run.hpp"
-#include "stridor/integration/expect_solvable.hpp"
-#include "stridor/integration/sticking.hpp"
+#include "stridor/integration/proofs/sticking.hpp"
+#include "stridor/integration/rules/expect_solvable.hpp"
 #include "stridor/model/contact_forces.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "stridor/integration/exact/flow.hpp"
-#include "stridor/integration/exact/kernel.hpp"
-#include "stridor/integration/initial_state.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
+#include "stridor/integration/run/initial_state.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
 

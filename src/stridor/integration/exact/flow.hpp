@@ -1,8 +1,8 @@
 #pragma once
 
-#include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/exact/contact_coordinates.hpp"
-#include "stridor/integration/exact/kernel.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/model/friction.hpp"
 
 #include <memory>

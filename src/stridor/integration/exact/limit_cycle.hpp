@@ -1,9 +1,9 @@
 #pragma once
 
-#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/account.hpp"
-#include "stridor/integration/motion.hpp"
-#include "stridor/integration/return_watch.hpp"
+#include "stridor/integration/run/event_loop.hpp"
+#include "stridor/integration/run/motion.hpp"
+#include "stridor/integration/run/return_watch.hpp"
 #include "stridor/record/recorder.hpp"
 
 #include <array>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/energy_balance.hpp"
-#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/account.hpp"
 #include "stridor/integration/exact/contact_transition.hpp"
 #include "stridor/integration/exact/limit_cycle.hpp"
 #include "stridor/integration/exact/silence.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/run/event_loop.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/record/recorder.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/exact/logbook.hpp"
-#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/run/event_loop.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

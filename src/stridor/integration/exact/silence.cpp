@@ -1,7 +1,7 @@
 #include "stridor/integration/exact/silence.hpp"
 
-#include "stridor/integration/event_loop.hpp"
 #include "stridor/integration/exact/contact_transition.hpp"
+#include "stridor/integration/run/event_loop.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/exact/account.hpp"
-#include "stridor/integration/motion.hpp"
+#include "stridor/integration/run/motion.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <Eigen/Core>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "stridor/integration/exact/kernel.hpp"
-#include "stridor/integration/moreau/row_kernel.hpp"
-#include "stridor/integration/taylor/series_kernel.hpp"
+#include "stridor/integration/kernels/exact_kernel.hpp"
+#include "stridor/integration/kernels/row_kernel.hpp"
+#include "stridor/integration/kernels/series_kernel.hpp"
 
 namespace stridor::integration {
 

@@ -1,9 +1,9 @@
 // All inner loops of the engines for one instruction set: this file is compiled once with STRIDOR_ISA and STRIDOR_WIDTH
 // for each, in a namespace of its own, so that no inline function is shared between sets.
 
-#include "stridor/integration/exact/kernel.inl"
-#include "stridor/integration/moreau/row_kernel.inl"
-#include "stridor/integration/taylor/series_kernel.inl"
+#include "stridor/integration/kernels/exact_kernel.inl"
+#include "stridor/integration/kernels/row_kernel.inl"
+#include "stridor/integration/kernels/series_kernel.inl"
 
 namespace stridor::integration::STRIDOR_ISA {
 

@@ -1,0 +1,254 @@
+// From event to event with several contacts. A block of h = 2/Omega is a power series of the motion and of every event
+// function:
+//
+//     open    g -> impact with all that touches
+//     slip    N -> separation                 sigma w -> stick if |T| <= mu_s N there, else slip the other way
+//     stick   N -> separation                 mu_s N -+ T -> slip with sign(w) = -sign(T)
+//
+// The first zero of all functions ends the block; `Settling` says how the contacts go on. What lies within a block
+// (samples) is evaluated from its beginning and never changes it; ends of spans and corners of the drive end it.
+
+#include "stridor/integration/series/taylor.hpp"
+
+#include "stridor/base/elementary.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/rules/expect_solvable.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
+#include "stridor/integration/series/event_polynomial.hpp"
+#include "stridor/integration/series/taylor_run.hpp"
+#include "stridor/model/sized_structure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr long blocks_between_checks = 256;
+constexpr long blocks_between_projections = 8;
+// flights and slips that would end within this share of a block have ended; a longer one each time that a crowd of
+// events came within one block, so that contacts which throw each other off come to an end
+constexpr std::array ended_share{1e-6, 1e-5, 1e-4, 1e-3};
+constexpr std::size_t crowd = 200;   // events
+constexpr int longest_period = 512;  // events
+
+}  // namespace
+
+TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
+                     const Taylor& settings, record::Recorder& recorder)
+    : whole_(structure),
+      drive_(drive, 1.0, record::end_of(recorder.schedule())),
+      recorder_(recorder),
+      structure_(modal_structure(structure)),
+      // a structure without springs and dashpots has no rate of its own: the run is its block
+      step_(std::min(2.0 / std::max(structure_.fastest, base::two_pi * drive_.profile().frequency),
+                     record::end_of(recorder.schedule()))),
+      block_(structure_, step_),
+      settling_(structure_, step_),
+      sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::channels_of(structure))),
+            std::vector<record::Load>(structure.contacts.size())},
+      watch_(longest_period),
+      scratch_(structure_.modes()),
+      tangential_(structure_.contacts.size()) {
+    const Eigen::VectorXd q = modal(structure_, structure, start.displacement);
+    const Eigen::VectorXd v = modal(structure_, structure, start.velocity);
+    state_.q.assign(q.data(), q.data() + q.size());
+    state_.v.assign(v.data(), v.data() + v.size());
+    state_.set.assign(structure_.contacts.size(), ContactMode::stick);
+    for (std::size_t k = 0; k < structure_.contacts.size(); ++k)
+        if (whole_.contacts[structure_.number[k]].initial_gap > 0.0) state_.set[k] = ContactMode::open;
+    state_.dropped.resize(structure_.contacts.size());
+    told_ = state_.set;
+    travel_ = {state_.q, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)};
+    is_steady_ = parameters::is_steady(drive);
+    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
+                     !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
+    samples_ = sample_times(recorder_.request().trace);
+}
+
+SurfaceSeries TaylorRun::surface(double time) const {
+    const model::SurfaceMotion now = drive_.at(time);
+    SurfaceSeries series{};
+    series[0] = now.velocity;
+    series[1] = now.acceleration * step_;
+    const double omega = base::two_pi * drive_.profile().frequency;
+    if (!(omega > 0.0)) return series;
+    // V(t + x) = V cos(omega x) + V'/omega sin(omega x)
+    const double turn = omega * step_;
+    double power = 1.0;
+    for (std::size_t m = 0; m < series.size(); ++m) {
+        const double sign = m % 4 < 2 ? 1.0 : -1.0;
+        series[m] = sign * power * (m % 2 == 0 ? now.velocity : now.acceleration / omega);
+        power *= turn / static_cast<double>(m + 1);
+    }
+    return series;
+}
+
+double TaylorRun::next_boundary() const {
+    double end = spans()[span_].to;
+    const std::vector<double>& corners = drive_.profile().times;
+    if (corner_ < corners.size()) end = std::min(end, corners[corner_]);
+    return end;
+}
+
+TaylorRun::Firing TaylorRun::first_firing(double reach) {
+    Firing first;
+    for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        const ContactMode mode = state_.set[k];
+        for (std::size_t f = 0; f < event_functions(mode); ++f) {
+            const BlockSeries c = event_series(structure_, block_, k, mode, f);
+            const int dropped = is_fresh_ ? state_.dropped[k][f] : 0;
+            const double within = std::min(reach, first.theta);
+            const double theta = dropped > most_dropped
+                                     ? late_zero(c, settling_.zero_of(block_, state_, k, f, c).later, within)
+                                     : first_zero(c, dropped, within);
+            if (theta == no_polynomial) return {0.0, k, f, true};
+            if (theta < first.theta) first = {theta, k, f, false};
+        }
+    }
+    return first;
+}
+
+void TaylorRun::move(double theta) {
+    if (!(theta > 0.0)) return;
+    block_.state_at(theta, state_.q, state_.v);
+    widen(travel_, state_.q, state_.v);
+    is_fresh_ = false;
+}
+
+// tells the recorder what has changed
+void TaylorRun::tell() {
+    for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        if (contact_of(state_.set[k]) == contact_of(told_[k]) && time_ > 0.0) continue;
+        const ModalContact& c = structure_.contacts[k];
+        double w = -c.drive_share * surface_[0], rate = 0.0;
+        for (std::size_t j = 0; j < c.tangent.size(); ++j) {
+            w += c.tangent[j] * state_.v[j];
+            rate += c.normal[j] * state_.v[j];
+        }
+        const record::ContactInterval interval{contact_of(state_.set[k]), time_, 0.0, w, rate};
+        recorder_.enter(structure_.number[k], interval);
+        if (is_measuring_) period_changes_.push_back({structure_.number[k], interval});
+    }
+    told_ = state_.set;
+}
+
+Outcome TaylorRun::without_forces(Settled how) const {
+    return {how == Settled::pressed ? Reason::painleve : Reason::no_forces, time_};
+}
+
+std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
+    if (time_ - crowd_begin_ > step_) {
+        crowd_begin_ = time_;
+        crowd_events_ = 0;
+    }
+    settling_.end_within(ended_share[std::min(crowd_events_++ / crowd, ended_share.size() - 1)]);
+    surface_ = surface(time_);
+    const Settled settled = settling_.fire(state_, surface_, firing.contact, firing.function);
+    add_impacts();
+    if (settled != Settled::done) return without_forces(settled);
+    is_fresh_ = true;
+    blocks_since_event_ = 0;
+    tell();
+    if (pile_up_.note(time_, step_)) return Outcome{Reason::chattering, time_};
+    return std::nullopt;
+}
+
+void TaylorRun::end_span() {
+    recorder_.vibrate(span_, spans()[span_].to - sums_from_, sums_.vibration);
+    recorder_.load(span_, sums_.load);
+    std::fill(sums_.vibration.begin(), sums_.vibration.end(), record::Vibration());
+    std::fill(sums_.load.begin(), sums_.load.end(), record::Load());
+    sums_from_ = spans()[span_].to;
+    ++span_;
+}
+
+// returns whether the run goes on
+bool TaylorRun::pass_boundary() {
+    if (time_ >= spans()[span_].to) end_span();
+    const std::vector<double>& corners = drive_.profile().times;
+    while (corner_ < corners.size() && corners[corner_] <= time_)
+        ++corner_;
+    return span_ < spans().size();
+}
+
+Outcome TaylorRun::advance(const std::stop_token& stop) {
+    surface_ = surface(0.0);
+    initial_energy_ = stored_energy(structure_, state_.q, state_.v);
+    const Settled settled = settling_.settle(state_, surface_);
+    add_impacts();
+    if (settled != Settled::done) return without_forces(settled);
+    tell();
+    pass_boundary();
+    double entered = -1.0;  // [s] end of the span whose beginning has been looked at
+    for (long blocks = 1; span_ < spans().size(); ++blocks) {
+        if (blocks % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
+        if (!is_finite(state_.q, state_.v)) return {Reason::diverged, time_};
+        if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
+        surface_ = surface(time_);
+        block_.expand(state_.q, state_.v, surface_);
+        const double boundary = next_boundary();
+        if (std::exchange(entered, boundary) != boundary) press(0.0);
+        const double reach = std::min({1.0, block_.reach(), std::max(0.0, (boundary - time_) / step_)});
+        const Firing firing = first_firing(reach);
+        if (firing.is_lost) return {Reason::diverged, time_};
+        const bool fires = firing.theta <= reach;
+        const double theta = fires ? firing.theta : reach;
+        account(theta);
+        pass_samples(theta);
+        const bool ends_at_boundary = !fires && reach * step_ + time_ >= boundary;
+        if (fires || ends_at_boundary) press(theta);
+        move(theta);
+        time_ = ends_at_boundary ? boundary : time_ + theta * step_;
+        if (fires) {
+            if (const auto outcome = fire(firing)) return *outcome;
+            if (watch_for_cycle(stop))
+                return {stop.stop_requested() ? Reason::cancelled : Reason::settled, cycle_->time};
+            continue;
+        }
+        if (time_ < boundary) {
+            if (blocks % blocks_between_projections == 0) settling_.project(state_, surface(time_));
+            if (watch_for_silence()) return {Reason::settled, silence_->time};
+            continue;
+        }
+        const bool has_corners = !drive_.profile().times.empty();
+        if (!pass_boundary()) break;
+        if (!has_corners) continue;
+        surface_ = surface(time_);
+        // what rounding has moved a stuck contact by is no slip
+        settling_.project(state_, surface_);
+        const Settled at_corner = settling_.settle(state_, surface_);
+        add_impacts();
+        if (at_corner != Settled::done) return without_forces(at_corner);
+        is_fresh_ = true;
+        tell();
+    }
+    return {Reason::completed, time_};
+}
+
+Motion TaylorRun::run(const std::stop_token& stop) {
+    const Outcome outcome = advance(stop);
+    // what has gathered in closed gaps since the last time would be work of the load
+    if (outcome.reason == Reason::completed) settling_.project(state_, surface(outcome.time));
+    const bool is_filled = outcome.reason == Reason::settled;
+    const EnergyBalance balance = is_filled ? final_balance_ : energy();
+    record::Record record = recorder_.finish(is_filled ? spans().back().to : outcome.time, outlooks(outcome));
+    Motion motion{weighed(outcome, balance, most_unexplained), balance, std::move(record), silence_, cycle_};
+    if (has_result(motion.outcome)) return motion;
+    motion.last_set.resize(state_.set.size());
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        motion.last_set[structure_.number[k]] = contact_of(state_.set[k]);
+    if (outcome.reason == Reason::painleve) motion.pressed = numbered(structure_, settling_.pressed());
+    return motion;
+}
+
+Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
+                        const Taylor& settings, record::Recorder recorder, const std::stop_token& stop) {
+    expect_solvable(structure, parameters::Method::taylor);
+    return TaylorRun(structure, drive, start, settings, recorder).run(stop);
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "stridor/integration/modal/modal_account.hpp"
+#include "stridor/integration/proofs/lasting_set.hpp"
+#include "stridor/integration/run/event_loop.hpp"
+#include "stridor/integration/run/imposed_motion.hpp"
+#include "stridor/integration/run/return_watch.hpp"
+#include "stridor/integration/series/event_polynomial.hpp"
+#include "stridor/integration/series/settling.hpp"
+#include "stridor/integration/series/taylor.hpp"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace stridor::integration {
+
+/// One run of the Taylor engine: where the motion is, and what takes it from event to event (taylor.cpp), writes it
+/// down (taylor_account.cpp) and ends it early (taylor_endings.cpp).
+class TaylorRun {
+public:
+    TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
+              const Taylor& settings, record::Recorder& recorder);
+
+    Motion run(const std::stop_token& stop);
+
+private:
+    // a function of a contact that becomes zero
+    struct Firing {
+        double theta = no_zero;  // [1]
+        std::size_t contact = 0;
+        std::size_t function = 0;
+        bool is_lost = false;  // a coefficient left double precision
+    };
+
+    // what a stretch of time leaves behind
+    struct Sums {
+        std::vector<record::Vibration> vibration;  // shape [channel]
+        std::vector<record::Load> load;            // shape [contact]
+    };
+
+    // the state at an event, to which the motion may return
+    struct Event {
+        double time = 0.0;  // [s]
+        std::vector<ContactMode> mode;
+        std::vector<double> q, v;
+    };
+
+    Outcome advance(const std::stop_token& stop);
+    EnergyBalance energy() const;
+    const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
+    SurfaceSeries surface(double time) const;
+    double next_boundary() const;
+    Firing first_firing(double reach);
+    void account(double theta);
+    void add_normal_impulse(double theta, Sums& sums) const;
+    void press(double theta);
+    void add_impacts();
+    void pass_samples(double theta);
+    void move(double theta);
+    Outcome without_forces(Settled how) const;
+    std::optional<Outcome> fire(const Firing& firing);
+    bool pass_boundary();
+    void end_span();
+    void tell();
+    bool watch_for_silence();
+    void fill_with_silence(LastingSet& set);
+    bool watch_for_cycle(const std::stop_token& stop);
+    void fill_with_cycle(double duration, const std::stop_token& stop);
+    double distance(const Event& a, const Event& b) const;
+    std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
+
+    const model::Structure& whole_;
+    ImposedMotion drive_;
+    record::Recorder& recorder_;
+    ModalStructure structure_;
+    double step_;
+    TaylorBlock block_;
+    Settling settling_;
+    TaylorState state_;
+    SurfaceSeries surface_{};
+    bool is_fresh_ = true;  // the block begins at an event
+    double time_ = 0.0;     // [s]
+    std::size_t span_ = 0;
+    std::size_t corner_ = 0;
+    SampleTimes samples_;
+    std::vector<ContactMode> told_;
+    Sums sums_;               // of the span so far
+    double sums_from_ = 0.0;  // [s]
+    Sums period_;             // of the period that is being measured
+    bool is_measuring_ = false;
+    std::vector<ContactChange> period_changes_;  // in it
+    bool is_steady_ = false;                     // the drive, so that the future can be known
+    bool may_end_early_ = false;
+    ReturnWatch<Event> watch_;
+    long blocks_since_event_ = 0;
+    std::optional<Silence> silence_;
+    std::optional<LimitCycle> cycle_;
+    EnergyBalance final_balance_;  // of a run that ended early, up to there
+    EnergyBalance work_;           // dashpots, friction, drive
+    double initial_energy_ = 0.0;
+    ModalTravel travel_;
+    PileUp pile_up_;
+    double crowd_begin_ = 0.0;  // [s] of the events that are counted together
+    std::size_t crowd_events_ = 0;
+    std::vector<double> scratch_;
+    std::vector<Lanes> velocities_;        // [1/s] shape [place][mode]
+    std::vector<BlockPlaces> tangential_;  // [N] shape [contact]
+    Eigen::MatrixXd speeds_;               // [m/s] shape [channel][place]
+};
+
+}  // namespace stridor::integration
