@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/library_text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/library_archive.hpp"
 #include "stridor/io/library/library_repair.hpp"

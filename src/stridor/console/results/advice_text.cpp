@@ -1,6 +1,7 @@
 #include "stridor/console/results/advice_text.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/case_key.hpp"
 
@@ -24,8 +25,7 @@ using advice::ParameterMargin;
 using advice::VerdictChange;
 
 std::string with_unit(const DesignSpace& space, std::size_t parameter, const std::string& number) {
-    const std::string_view unit = parameters::unit_of(space.parameters[parameter].key);
-    return unit == "1" ? number : number + " " + std::string(unit);
+    return number + after_number(parameters::unit_of(space.parameters[parameter].key));
 }
 
 std::string measured(const DesignSpace& space, std::size_t parameter, double value) {
@@ -67,25 +67,6 @@ std::string quiet_words(const DesignSpace& space, const ParameterMargin& margin)
     return text.empty() ? "nowhere" : text;
 }
 
-// columns padded to their widest entry; the first row is the heading
-std::string columns(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
-    for (const std::vector<std::string>& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()), 0);
-        for (std::size_t k = 0; k < row.size(); ++k)
-            widths[k] = std::max(widths[k], row[k].size());
-    }
-    std::string text;
-    for (std::size_t line = 0; line < rows.size(); ++line) {
-        std::string padded;
-        for (std::size_t k = 0; k < rows[line].size(); ++k)
-            padded += fmt::format("{:<{}}{}", rows[line][k], widths[k], k + 1 < rows[line].size() ? "  " : "");
-        padded.erase(padded.find_last_not_of(' ') + 1);
-        text += (line == 0 ? styled(padded, Style::bold, STDOUT_FILENO) : padded) + "\n";
-    }
-    return text;
-}
-
 // why a parameter cannot go on
 std::string ends(const Advice& advice) {
     std::string text;
@@ -100,15 +81,16 @@ std::string ends(const Advice& advice) {
 std::string margins_table(const Advice& advice) {
     const DesignSpace& space = advice.space;
     const bool was_quiet = advice::is_quiet(advice.present);
-    std::vector<std::vector<std::string>> rows{{"parameter", "now", "looked at", "changes below", "changes above"}};
-    if (!was_quiet) rows.front().push_back("slides quietly at");
+    TextTable table{{left("parameter"), left("now"), left("looked at"), left("changes below"), left("changes above")}};
+    table.heading = Style::bold;
+    if (!was_quiet) table.columns.push_back(left("slides quietly at"));
     for (const ParameterMargin& margin : advice.margins) {
-        rows.push_back({space.parameters[margin.parameter].key, measured(space, margin.parameter, margin.value),
-                        looked_at(space, margin), change_words(space, margin, margin.below),
-                        change_words(space, margin, margin.above)});
-        if (!was_quiet) rows.back().push_back(quiet_words(space, margin));
+        add_row(table, space.parameters[margin.parameter].key, measured(space, margin.parameter, margin.value),
+                looked_at(space, margin), change_words(space, margin, margin.below),
+                change_words(space, margin, margin.above));
+        if (!was_quiet) table.rows.back().push_back(quiet_words(space, margin));
     }
-    return columns(rows) + ends(advice) + advice::scan_words() + "\n";
+    return text_of(table) + ends(advice) + advice::scan_words() + "\n";
 }
 
 std::string setting_words(const DesignSpace& space, const DesignChange& change) {
@@ -135,13 +117,14 @@ std::string changes_list(const Advice& advice) {
     const DesignSpace& space = advice.space;
     if (advice.changes.empty())
         return "no change within these ranges was verified to be quiet; --over KEY=FROM:TO looks elsewhere.\n";
-    std::vector<std::vector<std::string>> rows{{"", "distance", "quiet with"}};
+    TextTable table{{left(""), left("distance"), left("quiet with")}};
+    table.heading = Style::bold;
     for (std::size_t k = 0; k < advice.changes.size(); ++k)
-        rows.push_back({k == advice.recommended ? "*" : "", fmt::format("{:.3f}", advice.changes[k].distance),
-                        setting_words(space, advice.changes[k]) +
-                            (advice::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)")});
+        add_row(table, k == advice.recommended ? "*" : "", fmt::format("{:.3f}", advice.changes[k].distance),
+                setting_words(space, advice.changes[k]) +
+                    (advice::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)"));
     const DesignChange& best = advice.changes[*advice.recommended];
-    return columns(rows) +
+    return text_of(table) +
            fmt::format(
                "\n* advised: {}\n  verified by {} runs of {} designs: quiet {}, and with 1 % more and less of each\n",
                advice::settings_of(space, best), best.runs, best.designs, judged_words(space)) +
@@ -179,9 +162,8 @@ std::string chance_lines(const advice::Chance& chance, const parameters::Case& b
     std::string text = fmt::format("\nchance of noise within{}", chance.is_default ? " usual tolerances," : "");
     for (std::size_t k = 0; k < chance.tolerances.size(); ++k) {
         const advice::Tolerance& each = chance.tolerances[k];
-        const std::string_view unit = parameters::unit_of(each.key);
         text += fmt::format("{}{} +- {:.4g}{}{}", k > 0 ? ", " : " ", each.key, each.tolerance,
-                            unit == "1" ? "" : " " + std::string(unit),
+                            after_number(parameters::unit_of(each.key)),
                             each.spread == advice::Spread::normal ? " (normal)" : "");
     }
     text += fmt::format(":\n  {}, 95 % confidence, {} samples\n", percent(chance.noise), chance.samples);

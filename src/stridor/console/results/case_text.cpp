@@ -3,6 +3,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/contact_compliance.hpp"
@@ -92,27 +93,25 @@ std::string frequencies_text(const parameters::Case& c, const model::Structure& 
             text += fmt::format("{:10.2f} Hz", all[k] / base::two_pi);
         return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / base::two_pi) : "") + "\n";
     };
-    if (c.own_structure)
-        return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
-               row("open", ContactState::separation);
     return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
-           row("open (plate, joint)", ContactState::separation);
+           row(c.own_structure ? "open" : "open (plate, joint)", ContactState::separation);
 }
 
 std::string contacts_text(const parameters::Case& c, const model::Structure& structure) {
     const parameters::OwnStructure& own = *c.own_structure;
-    std::string text = fmt::format("\n{}: {} rows\n{:<16}{:>12}{:>10}{:>8}{:>8}{:>8}\n", base::visible(own.origin),
-                                   own.row.size(), "contact", "preload", "gap", "mu_d", "mu_s", "drive");
+    TextTable table{{left("contact", 16), right("preload", 12), right("gap", 10), right("mu_d", 8), right("mu_s", 8),
+                     right("drive", 8)}};
     for (std::size_t k = 0; k < own.contacts.size(); ++k) {
         const parameters::Contact laws = parameters::contact_of(c, k);
         const model::ContactPoint& contact = structure.contacts[k];
         // f0 = - sum of n N0 at rest: what presses this one is known where its preload is
         const std::string pressed =
             parameters::is_preloaded(own) ? fmt::format("{:.4g} N", laws.preload) : std::string("-");
-        text += fmt::format("{:<16}{:>12}{:>8.3g} m{:>8g}{:>8g}{:>8g}\n", base::visible(own.contacts[k].name), pressed,
-                            contact.initial_gap, laws.kinetic_friction, laws.static_friction, contact.drive_share);
+        add_row(table, base::visible(own.contacts[k].name), pressed, fmt::format("{:.3g} m", contact.initial_gap),
+                fmt::format("{:g}", laws.kinetic_friction), fmt::format("{:g}", laws.static_friction),
+                fmt::format("{:g}", contact.drive_share));
     }
-    return text + "\n";
+    return fmt::format("\n{}: {} rows\n", base::visible(own.origin), own.row.size()) + text_of(table) + "\n";
 }
 
 // [1] below it is rounding
@@ -226,7 +225,7 @@ std::string part_text(const reduction::ElasticPart& part, const reduction::PartS
 
 std::string vibration_text(const reduction::PartVibration& vibration) {
     std::string text =
-        fmt::format("rigid body   {} mode{}\n", vibration.rigid_body_modes, vibration.rigid_body_modes == 1 ? "" : "s");
+        "rigid body   " + counted(static_cast<std::size_t>(vibration.rigid_body_modes), "mode", "modes") + "\n";
     text += "frequencies  " + frequency_list(vibration.frequencies) + " Hz\n";
     text += std::isfinite(vibration.highest_frequency)
                 ? fmt::format("highest      {:.4g} Hz\n", vibration.highest_frequency)
@@ -261,12 +260,12 @@ std::string reduction_text(const reduction::Reduction& reduction, const reductio
     if (reduction.solver == reduction::LinearSolver::mumps)
         text += "solver       MUMPS: its last digits are this machine's\n";
     text += "statics      " + statics_text(errors.flexibility) + "\n";
-    text += "\ncontacts     frequency      reduced       error\n";
+    TextTable table{{left("contacts", 9), right("frequency", 13), right("reduced", 13), right("error ", 13)}};
     for (const reduction::StateErrors& state : errors.states)
         for (const reduction::FrequencyPair& pair : state.frequencies)
-            text += fmt::format("{:<9}{:10.2f} Hz{:10.2f} Hz{:+11.4f} %\n", state.name, pair.full, pair.reduced,
-                                shown_error(relative_error(pair)));
-    return text + "\n";
+            add_row(table, state.name, fmt::format("{:.2f} Hz", pair.full), fmt::format("{:.2f} Hz", pair.reduced),
+                    fmt::format("{:+.4f} %", shown_error(relative_error(pair))));
+    return text + "\n" + text_of(table) + "\n";
 }
 
 }  // namespace stridor::console

@@ -1,5 +1,6 @@
 #include "stridor/console/results/comparison_text.hpp"
 
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/sweep/cell_choice.hpp"
 
@@ -18,15 +19,9 @@ using classification::ComparedSound;
 constexpr std::size_t least_width = 12;  // [1] letters of a column
 constexpr std::size_t most_width = 30;
 
-// letters as a reader counts them
-std::size_t letters(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
-}
-
 // what is too long loses its middle, which says least of a path or a cell
 std::string shortened(const std::string& text, std::size_t width) {
-    if (letters(text) <= width) return text;
+    if (width_of(text) <= width) return text;
     const auto cut = [](std::string part) {
         while (!part.empty() && (static_cast<unsigned char>(part.front()) & 0xC0U) == 0x80U)
             part.erase(0, 1);
@@ -38,29 +33,17 @@ std::string shortened(const std::string& text, std::size_t width) {
     return text.substr(0, head) + "..." + cut(text.substr(text.size() - (width - width / 2 - 2)));
 }
 
-struct Row {
-    std::string head;
-    std::vector<std::string> cells;
-};
-
-std::string text_of(const std::vector<Row>& rows) {
-    std::size_t head = 0;
-    std::vector<std::size_t> widths(rows.front().cells.size(), least_width);
-    for (const Row& row : rows) {
-        head = std::max(head, letters(row.head));
-        for (std::size_t k = 0; k < row.cells.size(); ++k)
-            widths[k] = std::clamp(letters(row.cells[k]), widths[k], most_width);
+// columns as wide as what stands in them, within limits
+std::string columns_text(TextTable table) {
+    for (std::size_t k = 1; k < table.columns.size(); ++k) {
+        std::size_t width = least_width;
+        for (const std::vector<std::string>& row : table.rows)
+            width = std::clamp(width_of(row[k]), width, most_width);
+        for (std::vector<std::string>& row : table.rows)
+            row[k] = shortened(row[k], width);
+        table.columns[k].width = 2 + width;
     }
-    std::string text;
-    for (const Row& row : rows) {
-        text += row.head + std::string(head - letters(row.head), ' ');
-        for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const std::string cell = shortened(row.cells[k], widths[k]);
-            text += "  " + std::string(widths[k] - std::min(widths[k], letters(cell)), ' ') + cell;
-        }
-        text += "\n";
-    }
-    return text;
+    return text_of(table);
 }
 
 std::string distance_text(const ComparedSound& first, const ComparedSound& other) {
@@ -68,16 +51,25 @@ std::string distance_text(const ComparedSound& first, const ComparedSound& other
     return fmt::format("{:.2f}", classification::likeness(first.profile, other.profile).distance);
 }
 
-// which figures tell two sounds apart most
-std::string reasons_text(const ComparedSound& first, const ComparedSound& other) {
-    const classification::Likeness likeness = classification::likeness(first.profile, other.profile);
+// those that tell two sounds apart most, each in its words
+template <typename Words>
+std::string differences(const classification::Likeness& likeness, const Words& words) {
     std::string text;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, likeness.differences.size()); ++k)
-        if (likeness.differences[k].share >= 0.1)
-            text += fmt::format("{}{} ({:.0f} %)", text.empty() ? "" : ", ", likeness.differences[k].name,
-                                100.0 * likeness.differences[k].share);
-    std::replace(text.begin(), text.end(), '_', ' ');
+    for (const classification::FigureDifference& each :
+         std::span(likeness.differences).first(std::min<std::size_t>(3, likeness.differences.size()))) {
+        std::string name(each.name);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (each.share >= 0.1) text += (text.empty() ? "" : ", ") + words(name, each);
+    }
     return text;
+}
+
+// "dominant frequency (62 %)"
+std::string reasons_text(const ComparedSound& first, const ComparedSound& other) {
+    return differences(classification::likeness(first.profile, other.profile),
+                       [](const std::string& name, const classification::FigureDifference& each) {
+                           return fmt::format("{} ({:.0f} %)", name, 100.0 * each.share);
+                       });
 }
 
 // "squeal (going), none (coming)"; "-" where it is not known
@@ -93,18 +85,11 @@ std::string contact_words(const classification::KnownContact& contact) {
 }
 
 // "dominant frequency 425 -> 431 Hz"
-std::string difference_words(const classification::FigureDifference& each) {
-    std::string name(each.name);
-    std::replace(name.begin(), name.end(), '_', ' ');
-    const std::string unit = each.unit == "1" ? "" : " " + std::string(each.unit);
-    return fmt::format("{} {:.3g} -> {:.3g}{}", name, each.first, each.second, unit);
-}
-
-std::string differences(const classification::Likeness& likeness) {
-    std::string text;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, likeness.differences.size()); ++k)
-        if (likeness.differences[k].share >= 0.1)
-            text += (text.empty() ? "" : ", ") + difference_words(likeness.differences[k]);
+std::string differences_text(const classification::Likeness& likeness) {
+    const std::string text =
+        differences(likeness, [](const std::string& name, const classification::FigureDifference& each) {
+            return fmt::format("{} {:.3g} -> {:.3g}{}", name, each.first, each.second, after_number(each.unit));
+        });
     return text.empty() ? "nothing" : text;
 }
 
@@ -119,11 +104,12 @@ std::string search_words(const io::MatchReport& report) {
 }  // namespace
 
 std::string comparison_text(std::span<const ComparedSound> sounds) {
-    std::vector<Row> rows;
+    TextTable table{{left("")}};
+    table.columns.resize(sounds.size() + 1);
     const auto add = [&](std::string head, const auto& cell) {
-        rows.push_back({std::move(head), {}});
+        table.rows.push_back({std::move(head)});
         for (const ComparedSound& sound : sounds)
-            rows.back().cells.push_back(cell(sound));
+            table.rows.back().push_back(cell(sound));
     };
     add("", [](const ComparedSound& s) { return s.label; });
     add("from", [](const ComparedSound& s) { return s.origin; });
@@ -139,7 +125,7 @@ std::string comparison_text(std::span<const ComparedSound> sounds) {
             add("  reference", [](const ComparedSound& s) { return signal::level_unit(s.analysis.unit).substr(3); });
     }
     add("distance from the first", [&](const ComparedSound& s) { return distance_text(sounds.front(), s); });
-    std::string text = text_of(rows);
+    std::string text = columns_text(std::move(table));
     for (std::size_t k = 1; k < sounds.size(); ++k)
         if (const std::string reasons = reasons_text(sounds.front(), sounds[k]); !reasons.empty())
             text += fmt::format("{}{} differs from {} by {}\n", k == 1 ? "\n" : "", sounds[k].label,
@@ -158,14 +144,15 @@ std::string match_text(const io::MatchReport& report) {
     std::string text = fmt::format("{}: {} by ear\n{}: x is {}, y is {}; {}\n{}\n", report.recording.name,
                                    classification::name(report.recording.heard.category), report.chart,
                                    study.x.parameter, study.y.parameter, report.motion, search_words(report));
-    text += fmt::format("{:>3} {:>9}  {:<9}{:<9}{:<40}  what differs\n", "", "distance", "by ear", "contact", "cell");
+    TextTable table{{right("", 3), right("distance", 10), left("  by ear", 11), left("contact", 9), left("cell", 40),
+                     left("  what differs", 1)}};
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
         const hearing::SoundMatch& match = report.result.best[k];
-        text += fmt::format("{:>3} {:>9.3f}  {:<9}{:<9}{:<40}  {}\n", k + 1, match.likeness.distance,
-                            classification::name(match.cell.heard), classification::name(match.cell.contact),
-                            match_name(study, match), differences(match.likeness));
+        add_row(table, k + 1, fmt::format("{:.3f}", match.likeness.distance),
+                fmt::format("  {}", classification::name(match.cell.heard)), classification::name(match.cell.contact),
+                match_name(study, match), "  " + differences_text(match.likeness));
     }
-    return text;
+    return text + text_of(table);
 }
 
 }  // namespace stridor::console

@@ -1,5 +1,6 @@
 #include "stridor/console/results/evaluation_text.hpp"
 
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/heard_recordings.hpp"
 
@@ -22,7 +23,11 @@ using hearing::Half;
 constexpr std::array decided_categories{Category::none, Category::squeal, Category::squeak, Category::creak};
 
 std::string percent(double share) {
-    return std::isfinite(share) ? fmt::format("{:.1f} %", 100.0 * share) : "-";
+    return number_or_dash(100.0 * share, "{:.1f} %");
+}
+
+std::string percent(std::size_t part, std::size_t whole) {
+    return percent(static_cast<double>(part) / static_cast<double>(whole));
 }
 
 double agreement_of(const Confusion& table) {
@@ -38,38 +43,44 @@ std::string agreement_text(const Confusion& table) {
                        classification::total(decided), percent(classification::mean_agreement(decided)));
 }
 
+// a column for each category
+void add_categories(TextTable& table, std::span<const std::string_view> names) {
+    for (const std::string_view name : names)
+        table.columns.push_back(right(name, 10));
+}
+
+void add_counts(TextTable& table, std::span<const std::size_t> counts) {
+    for (const std::size_t count : counts)
+        table.rows.back().push_back(std::to_string(count));
+}
+
 std::string confusion_text(const Confusion& table) {
-    std::string text = fmt::format("{:>14}", "");
-    for (const std::string_view name : classification::category_names)
-        text += fmt::format("{:>10}", name);
-    text += fmt::format("{:>12}\n", "agreement");
+    TextTable lines{{left("", 12)}, "  "};
+    add_categories(lines, classification::category_names);
+    lines.columns.push_back(right("agreement", 12));
     for (std::size_t truth = 0; truth < table.counts.size(); ++truth) {
         const auto category = static_cast<Category>(truth);
-        text += fmt::format("  {:<12}", classification::name(category));
-        for (const std::size_t count : table.counts[truth])
-            text += fmt::format("{:>10}", count);
-        const bool is_decided = category != Category::undecided;
-        text += fmt::format("{:>12}\n", is_decided ? percent(classification::agreement_on(table, category)) : "");
+        add_row(lines, classification::name(category));
+        add_counts(lines, table.counts[truth]);
+        if (category != Category::undecided)
+            lines.rows.back().push_back(percent(classification::agreement_on(table, category)));
     }
-    return text;
+    return text_of(lines);
 }
 
 std::string cases_text(const std::vector<hearing::HeardCase>& cases) {
-    std::string text =
-        fmt::format("Table 1\n\n  {:<8}{:<8}{:<16}{:<11}{}\n", "case", "part", "contact states", "by ear", "why");
+    TextTable table{{left("case", 8), left("part", 8), left("contact states", 16), left("by ear", 11), left("why", 1)},
+                    "  "};
     for (const hearing::HeardCase& heard : cases) {
-        const auto row = [&](std::string_view name, std::string_view part, std::string_view truth, Category category,
-                             std::string_view why) {
-            text += fmt::format("  {:<8}{:<8}{:<16}{:<11}{}\n", name, part, truth, classification::name(category), why);
-        };
-        row(heard.name, "whole", "", heard.whole, heard.reason);
+        add_row(table, heard.name, "whole", "", classification::name(heard.whole), heard.reason);
         for (std::size_t direction = 0; direction < heard.phases.size(); ++direction) {
             const hearing::HeardSound& sound = heard.phases[direction];
-            row("", parameters::direction_names[direction], classification::name(sound.cell.category), sound.heard,
-                sound.reason);
+            add_row(table, "", parameters::direction_names[direction], classification::name(sound.cell.category),
+                    classification::name(sound.heard), sound.reason);
         }
     }
-    return text + "\nWhole: the second as it is heard, with its reversals; going, coming: those phases alone.\n";
+    return "Table 1\n\n" + text_of(table) +
+           "\nWhole: the second as it is heard, with its reversals; going, coming: those phases alone.\n";
 }
 
 // "creak heard as none 12, undecided 3; squeal heard as squeak 1"
@@ -148,29 +159,27 @@ std::string charts_text(const io::HearingReport& report) {
     return text;
 }
 
-std::string perturbation_row(std::string_view name, const Confusion& table) {
-    std::string text = fmt::format("  {:<20}{:>10}{:>10}", name, percent(agreement_of(table)),
-                                   percent(classification::mean_agreement(table)));
-    for (const Category category : decided_categories)
-        text += fmt::format("{:>10}", percent(classification::agreement_on(table, category)));
-    return text + fmt::format("{:>11}\n", [&] {
-               std::size_t undecided = 0;
-               for (const Category category : decided_categories)
-                   undecided += table.counts[static_cast<std::size_t>(category)].back();
-               return undecided;
-           }());
+void add_perturbation(TextTable& table, std::string_view name, const Confusion& heard) {
+    add_row(table, name, percent(agreement_of(heard)), percent(classification::mean_agreement(heard)));
+    std::size_t undecided = 0;
+    for (const Category category : decided_categories) {
+        table.rows.back().push_back(percent(classification::agreement_on(heard, category)));
+        undecided += heard.counts[static_cast<std::size_t>(category)].back();
+    }
+    table.rows.back().push_back(std::to_string(undecided));
 }
 
 std::string perturbed_text(const io::HearingReport& report) {
     const Confusion before = io::perturbed_confusion(report, std::nullopt);
-    std::string text = fmt::format("\nEvery {}th run's sounds changed ({} sounds), agreement:\n\n  {:<20}{:>10}{:>10}",
-                                   report.options.perturb_every, classification::total(before), "", "all", "mean");
-    for (const Category category : decided_categories)
-        text += fmt::format("{:>10}", classification::name(category));
-    text += fmt::format("{:>11}\n", "undecided") + perturbation_row("unchanged", before);
+    TextTable table{{left("", 20), right("all", 10), right("mean", 10)}, "  "};
+    add_categories(table, std::span(classification::category_names).first(decided_categories.size()));
+    table.columns.push_back(right("undecided", 11));
+    add_perturbation(table, "unchanged", before);
     for (std::size_t k = 0; k < hearing::perturbations().size(); ++k)
-        text += perturbation_row(hearing::perturbations()[k].name, io::perturbed_confusion(report, k));
-    return text;
+        add_perturbation(table, hearing::perturbations()[k].name, io::perturbed_confusion(report, k));
+    return fmt::format("\nEvery {}th run's sounds changed ({} sounds), agreement:\n\n", report.options.perturb_every,
+                       classification::total(before)) +
+           text_of(table);
 }
 
 std::string number_word(std::size_t number) {
@@ -179,69 +188,53 @@ std::string number_word(std::size_t number) {
     return number < words.size() ? words[number] : std::to_string(number);
 }
 
-// how wide a column must be for its words
-std::size_t width_of(const std::vector<std::string>& words, std::size_t least) {
-    for (const std::string& word : words)
-        least = std::max(least, word.size() + 2);
-    return least;
-}
-
 std::string shares_text(const hearing::RecordingScore& score) {
-    std::string text = fmt::format("\n  {:<42}{:>10}{:>9}   {}\n", "", "right", "", "95 %, bootstrap over sources");
-    for (const hearing::RightShare& share : score.shares) {
-        if (share.count == 0) continue;
-        const double all = static_cast<double>(share.right) / static_cast<double>(share.count);
-        text += fmt::format("  {:<42}{:>10}{:>9}   {} to {}\n", share.what,
-                            fmt::format("{} of {}", share.right, share.count), percent(all), percent(share.low),
-                            percent(share.high));
-    }
-    return text;
+    TextTable table{{left("", 42), right("right", 10), right("", 9), left("   95 %, bootstrap over sources", 1)}, "  "};
+    for (const hearing::RightShare& share : score.shares)
+        if (share.count > 0)
+            add_row(table, share.what, fmt::format("{} of {}", share.right, share.count),
+                    percent(share.right, share.count),
+                    fmt::format("   {} to {}", percent(share.low), percent(share.high)));
+    return "\n" + text_of(table);
 }
 
 std::string rows_text(const hearing::RecordingScore& score) {
-    std::string text = fmt::format("\n  {:<24}", "expected; by ear:");
-    for (const std::string_view name : classification::category_names)
-        text += fmt::format("{:>10}", name);
+    TextTable table{{left("expected; by ear:", 24)}, "  "};
+    add_categories(table, classification::category_names);
     for (const hearing::HeardRow& row : score.rows) {
-        text += fmt::format("\n  {:<24}", row.expected);
-        for (const std::size_t count : row.heard)
-            text += fmt::format("{:>10}", count);
+        add_row(table, row.expected);
+        add_counts(table, row.heard);
     }
-    return text + "\n";
+    return "\n" + text_of(table);
 }
 
 std::string probabilities_text(const hearing::RecordingScore& score, std::size_t count) {
     if (score.bins.empty()) return "";
-    std::string text = fmt::format("\n  {:<24}{:>10}{:>10}{:>10}\n", "probability", "clips", "its mean", "right");
+    TextTable bins{{left("probability", 24), right("clips", 10), right("its mean", 10), right("right", 10)}, "  "};
     for (const hearing::CalibrationBin& bin : score.bins)
-        text += fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", fmt::format("{:.1f} to {:.1f}", bin.from, bin.to),
-                            bin.count, percent(bin.probability),
-                            percent(static_cast<double>(bin.right) / static_cast<double>(bin.count)));
-    text += fmt::format("\n  {:<24}{:>10}{:>10}\n", "decided from", "decided", "right");
+        add_row(bins, fmt::format("{:.1f} to {:.1f}", bin.from, bin.to), bin.count, percent(bin.probability),
+                percent(bin.right, bin.count));
+    TextTable decided{{left("decided from", 24), right("decided", 10), right("right", 10)}, "  "};
     for (const hearing::AbstentionPoint& point : score.decided)
         if (point.decided > 0)
-            text += fmt::format("  {:<24}{:>10}{:>10}\n", fmt::format("{:.1f}", point.probability),
-                                percent(static_cast<double>(point.decided) / static_cast<double>(count)),
-                                percent(static_cast<double>(point.right) / static_cast<double>(point.decided)));
-    return text;
+            add_row(decided, fmt::format("{:.1f}", point.probability), percent(point.decided, count),
+                    percent(point.right, point.decided));
+    return "\n" + text_of(bins) + "\n" + text_of(decided);
 }
 
 std::string recordings_text(const std::vector<hearing::HeardRecording>& recordings) {
-    std::vector<std::string> names;
-    for (const hearing::HeardRecording& recording : recordings)
-        names.push_back(std::filesystem::path(recording.expectation.file).filename().string());
-    const std::size_t width = width_of(names, 24);
-    std::string text =
-        fmt::format("  {:<{}}{:<22}{:<11}{:<7}{}\n", "recording", width, "expected", "by ear", "", "why");
-    std::size_t right = 0;
-    for (std::size_t k = 0; k < recordings.size(); ++k) {
-        const hearing::HeardRecording& recording = recordings[k];
+    TextTable table{{left("recording", 24), left("expected", 22), left("by ear", 11), left("", 7), left("why", 1)},
+                    "  "};
+    std::size_t agreeing = 0;
+    for (const hearing::HeardRecording& recording : recordings) {
         const bool agrees = hearing::is_right(recording);
-        right += agrees ? 1 : 0;
-        text += fmt::format("  {:<{}}{:<22}{:<11}{:<7}{}\n", names[k], width, recording.expectation.words,
-                            classification::name(recording.heard), agrees ? "right" : "wrong", recording.reason);
+        const std::string name = std::filesystem::path(recording.expectation.file).filename().string();
+        agreeing += agrees ? 1 : 0;
+        add_row(table, name, recording.expectation.words, classification::name(recording.heard),
+                agrees ? "right" : "wrong", recording.reason);
+        table.columns.front().width = std::max(table.columns.front().width, width_of(name) + 2);
     }
-    text += fmt::format("\n{} of {} as expected. ", right, recordings.size());
+    std::string text = text_of(table) + fmt::format("\n{} of {} as expected. ", agreeing, recordings.size());
     constexpr std::size_t few = 20;
     if (recordings.size() < few)
         return text + fmt::format("A smoke test: {} clips are no statistic.\n", number_word(recordings.size()));

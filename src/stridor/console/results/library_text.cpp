@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/noise_library/field.hpp"
 
@@ -20,27 +21,17 @@ using noise_library::FigureKind;
 
 namespace {
 
-// columns of a terminal that a text takes, each letter taken for one wide
-std::size_t width_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-// one column: its cells from the top, numbers to the right
-struct Column {
-    std::vector<std::string> cells;
-    bool is_number = false;
-};
-
 std::string number_text(double value) {
     return std::isnan(value) ? std::string() : fmt::format("{:.6g}", value);
 }
 
 std::string with_unit(double value, std::string_view unit) {
-    return number_text(value) + (unit == "1" || std::isnan(value) ? "" : " " + std::string(unit));
+    return std::isnan(value) ? "" : number_text(value) + after_number(unit);
 }
 
-Column column_of(const std::string& name, const std::vector<Entry>& entries, const std::vector<FigureKind>& figures) {
+// a column with its heading, its unit and a cell of each entry; numbers to the right
+void add_column(TextTable& table, const std::string& name, const std::vector<Entry>& entries,
+                const std::vector<FigureKind>& figures) {
     const EntryField* field = noise_library::find_field(name);
     const auto figure =
         std::find_if(figures.begin(), figures.end(), [&](const FigureKind& each) { return each.name == name; });
@@ -51,7 +42,6 @@ Column column_of(const std::string& name, const std::vector<Entry>& entries, con
         throw Error(ErrorKind::input, {"\"" + name + "\" is no field", "no entry has a figure of that name either",
                                        base::did_you_mean(name, names, "`stridor library fields` lists them.")});
     }
-    Column column;
     // levels of recordings that were calibrated differently do not compare
     const auto unit_of_figure = [&] {
         std::string unit;
@@ -61,47 +51,30 @@ Column column_of(const std::string& name, const std::vector<Entry>& entries, con
         return unit;
     };
     const bool is_words = field != nullptr && !std::holds_alternative<noise_library::EntryQuantity>(field->kind);
-    column.is_number = !is_words;
+    table.columns.push_back(is_words ? left(name) : right(name));
     const std::string unit(field != nullptr ? noise_library::unit_of(*field) : name == "id" ? "" : unit_of_figure());
-    column.cells = {name, unit == "1" ? "" : unit};
-    for (const Entry& entry : entries) {
+    table.rows.front().push_back(unit == "1" ? "" : unit);
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        const Entry& entry = entries[k];
         std::string cell = name == "id" ? std::to_string(entry.id)
                            : is_words   ? noise_library::words_in(entry, *field)
                                         : number_text(noise_library::number_of(entry, name));
         // lines of notes would tear the table
         std::replace(cell.begin(), cell.end(), '\n', ' ');
-        column.cells.push_back(std::move(cell));
+        table.rows[k + 1].push_back(std::move(cell));
     }
-    return column;
 }
 
 }  // namespace
 
 std::string entry_table(const std::vector<Entry>& entries, const std::vector<std::string>& columns,
                         const std::vector<FigureKind>& figures) {
-    std::vector<std::string> lines(entries.size() + 2);
-    for (const std::string& name : columns) {
-        const Column column = column_of(name, entries, figures);
-        std::size_t width = 0;
-        for (const std::string& cell : column.cells)
-            width = std::max(width, width_of(cell));
-        for (std::size_t k = 0; k < lines.size(); ++k) {
-            const std::string air(width - width_of(column.cells[k]), ' ');
-            if (!lines[k].empty()) lines[k] += "  ";
-            // an empty line would look like a first column
-            lines[k] += column.is_number ? air + column.cells[k] : column.cells[k] + air;
-        }
-    }
-    std::string text;
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        std::string line = lines[k].substr(0, lines[k].find_last_not_of(' ') + 1);
-        text += (k == 0 ? styled(line, Style::bold, STDOUT_FILENO) : line) + "\n";
-    }
-    return text;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
+    TextTable table{{}};
+    table.heading = Style::bold;
+    table.rows.resize(entries.size() + 1);
+    for (const std::string& name : columns)
+        add_column(table, name, entries, figures);
+    return text_of(table);
 }
 
 std::string entry_line(const Entry& entry) {
@@ -154,15 +127,15 @@ std::string entry_page(const noise_library::Library& library, const Entry& entry
 }
 
 std::string fields_text(const std::vector<FigureKind>& figures) {
-    std::string text = fmt::format("{:<17}{:<6}{}\n", "field", "unit", "what it says");
+    TextTable table{{left("field", 17), left("unit", 6), left("what it says", 1)}};
     for (const EntryField& field : noise_library::fields()) {
-        const std::string_view unit = unit_of(field);
-        text += fmt::format("{:<17}{:<6}{}{}\n", field.name, unit, field.sentence,
-                            field.writer == noise_library::Writer::user ? "" : " (written by Stridor)");
+        const bool is_own = field.writer == noise_library::Writer::user;
+        add_row(table, field.name, unit_of(field),
+                std::string(field.sentence) + (is_own ? "" : " (written by Stridor)"));
     }
     for (const FigureKind& figure : figures)
-        text += fmt::format("{:<17}{:<6}figure\n", figure.name, figure.unit);
-    return text;
+        add_row(table, figure.name, figure.unit, "figure");
+    return text_of(table);
 }
 
 std::string ids_text(const std::vector<std::int64_t>& ids) {

@@ -19,9 +19,6 @@ std::string entry_table(const std::vector<noise_library::Entry>& entries, const 
 /// One entry in full, a line per field that is known.
 std::string entry_page(const noise_library::Library& library, const noise_library::Entry& entry);
 
-/// "1 entry", "2 entries"
-std::string counted(std::size_t count, const char* one, const char* many);
-
 /// "12  squeal.wav  3.2 s, 48000 Hz, 2 channels"
 std::string entry_line(const noise_library::Entry& entry);
 

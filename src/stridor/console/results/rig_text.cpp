@@ -1,5 +1,6 @@
 #include "stridor/console/results/rig_text.hpp"
 
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 
 #include <fmt/format.h>
@@ -15,17 +16,15 @@ namespace {
 using analysis::FrictionFigures;
 using analysis::FrictionTrace;
 
-std::string number_or_dash(double value, const char* unit) {
-    return std::isfinite(value) ? fmt::format("{:.4g}{}", value, unit) : "-";
-}
-
-std::string row(const FrictionFigures& figures) {
-    const char* direction = figures.direction == 0 ? "all" : figures.direction > 0 ? "going" : "coming";
-    return fmt::format("{:<8}{:>18}{:>18}{:>9.4f}{:>7}{:>11}{:>11}{:>11}{:>11}\n", direction,
-                       coefficient_text(figures.static_friction), coefficient_text(figures.kinetic_friction),
-                       figures.mean_friction, figures.drops, number_or_dash(figures.drop_rate, " 1/s"),
-                       number_or_dash(figures.mean_drop, " N"), number_or_dash(figures.largest_drop, " N"),
-                       number_or_dash(figures.variation, ""));
+void add_figures(TextTable& table, const FrictionFigures& figures) {
+    add_row(table,
+            figures.direction == 0  ? "all"
+            : figures.direction > 0 ? "going"
+                                    : "coming",
+            coefficient_text(figures.static_friction), coefficient_text(figures.kinetic_friction),
+            fmt::format("{:.4f}", figures.mean_friction), figures.drops,
+            number_or_dash(figures.drop_rate, "{:.4g} 1/s"), number_or_dash(figures.mean_drop, "{:.4g} N"),
+            number_or_dash(figures.largest_drop, "{:.4g} N"), number_or_dash(figures.variation, "{:.4g}"));
 }
 
 using noise_library::Bin;
@@ -33,12 +32,8 @@ using noise_library::CategoryRange;
 using noise_library::RankCorrelation;
 using noise_library::Sensitivity;
 
-std::string with_unit(const std::string& unit) {
-    return unit.empty() || unit == "1" ? "" : " " + unit;
-}
-
-std::string number(double value, const char* missing = "-") {
-    return std::isnan(value) ? missing : fmt::format("{:.5g}", value);
+std::string number(double value) {
+    return std::isnan(value) ? "-" : fmt::format("{:.5g}", value);
 }
 
 std::string name_of(const std::string& category) {
@@ -49,45 +44,38 @@ std::string range_text(const Bin& bin) {
     return bin.from == bin.to ? number(bin.from) : number(bin.from) + " to " + number(bin.to);
 }
 
-// letters of a range of `Bin`s, wide enough for them all
-std::size_t widest(const Sensitivity& result) {
-    std::size_t width = result.quantity.size();
-    for (const Bin& bin : result.bins)
-        width = std::max(width, range_text(bin).size());
-    return width;
+// columns of both tables; below their headings stand the units
+TextColumn level_column(const Sensitivity& result) {
+    return right("level", 2 + std::max<std::size_t>(10, result.level_unit.size()));
+}
+
+std::string unit_text(const Sensitivity& result) {
+    return result.unit == "1" ? "" : result.unit;
 }
 
 std::string bins_table(const Sensitivity& result) {
-    const std::size_t width = widest(result);
-    const std::size_t level_width = std::max<std::size_t>(10, result.level_unit.size());
-    const auto line = [&](const std::string& range, const std::string& records, const std::string& level,
-                          const std::string& frequency) {
-        return fmt::format("{:>{}}  {:>7}  {:>{}}  {:>10}", range, width, records, level, level_width, frequency);
-    };
-    std::string names = line(result.quantity, "records", "level", "frequency");
-    std::string units = line(result.unit == "1" ? "" : result.unit, "", result.level_unit, "Hz");
+    TextTable table{{right(result.quantity), right("records", 9), level_column(result), right("frequency", 12)}};
+    table.heading = Style::bold;
     for (const CategoryRange& category : result.categories)
-        names += "  " + name_of(category.category);
-    std::string text = styled(names, Style::bold, STDOUT_FILENO) + "\n" + units + "\n";
+        table.columns.push_back(right(name_of(category.category)));
+    add_row(table, unit_text(result), "", result.level_unit, "Hz");
     for (const Bin& bin : result.bins) {
-        text += line(range_text(bin), std::to_string(bin.records), number(bin.level), number(bin.frequency));
+        add_row(table, range_text(bin), bin.records, number(bin.level), number(bin.frequency));
         for (const CategoryRange& category : result.categories) {
             const auto found = std::find_if(bin.categories.begin(), bin.categories.end(),
                                             [&](const auto& count) { return count.category == category.category; });
-            text += fmt::format("  {:>{}}", found == bin.categories.end() ? "-" : std::to_string(found->records),
-                                name_of(category.category).size());
+            table.rows.back().push_back(found == bin.categories.end() ? "-" : std::to_string(found->records));
         }
-        text += "\n";
     }
-    return text;
+    return text_of(table);
 }
 
 std::string categories_table(const Sensitivity& result) {
     std::string text;
     for (const CategoryRange& category : result.categories)
-        text += fmt::format("{:<12} {} {}, {} {} to {}{}, median {}\n", name_of(category.category), category.records,
-                            category.records == 1 ? "record" : "records", result.quantity, number(category.lowest),
-                            number(category.highest), with_unit(result.unit), number(category.median));
+        text += fmt::format("{:<12} {}, {} {} to {}{}, median {}\n", name_of(category.category),
+                            counted(category.records, "record", "records"), result.quantity, number(category.lowest),
+                            number(category.highest), after_number(result.unit), number(category.median));
     return text;
 }
 
@@ -102,17 +90,13 @@ std::string correlation_line(const char* what, const RankCorrelation& correlatio
 }
 
 std::string records_table(const Sensitivity& result) {
-    const std::size_t width = std::max<std::size_t>(10, result.level_unit.size());
-    const auto line = [&](const std::string& id, const std::string& quantity, const std::string& category,
-                          const std::string& level, const std::string& frequency) {
-        return fmt::format("{:>6}  {:>12}  {:<12}  {:>{}}  {:>10}\n", id, quantity, category, level, width, frequency);
-    };
-    std::string text = line("id", result.quantity, "category", "level", "frequency");
-    text += line("", result.unit == "1" ? "" : result.unit, "", result.level_unit, "Hz");
+    TextTable table{{right("id", 6), right(result.quantity, 14), left("  category", 14), level_column(result),
+                     right("frequency", 12)}};
+    add_row(table, "", unit_text(result), "", result.level_unit, "Hz");
     for (const noise_library::Observation& record : result.records)
-        text += line(std::to_string(record.id), number(record.quantity), name_of(record.category), number(record.level),
-                     number(record.frequency));
-    return text;
+        add_row(table, record.id, number(record.quantity), "  " + name_of(record.category), number(record.level),
+                number(record.frequency));
+    return text_of(table);
 }
 
 }  // namespace
@@ -133,13 +117,13 @@ std::string friction_text(const io::FrictionTest& test, const FrictionTrace& tra
         test.velocity_channel.empty() ? ", direction by its sign" : ", velocity \"" + test.velocity_channel + "\"",
         test.normal_channel.empty() ? "" : ", normal force \"" + test.normal_channel + "\"", trace.noise,
         trace.threshold * test.preload);
-    text += fmt::format("{:<8}{:>18}{:>18}{:>9}{:>7}{:>11}{:>11}{:>11}{:>11}\n", "", "static", "kinetic", "mean",
-                        "drops", "rate", "mean drop", "largest", "variation");
+    TextTable table{{left("", 8), right("static", 18), right("kinetic", 18), right("mean", 9), right("drops", 7),
+                     right("rate", 11), right("mean drop", 11), right("largest", 11), right("variation", 11)}};
     for (const FrictionFigures& figures : trace.directions)
-        text += row(figures);
-    if (trace.directions.size() > 1) text += row(trace.all);
-    text +=
-        fmt::format("\nkinetic from {}", analysis::kinetic_source_names[static_cast<std::size_t>(trace.all.source)]);
+        add_figures(table, figures);
+    if (trace.directions.size() > 1) add_figures(table, trace.all);
+    text += text_of(table) + fmt::format("\nkinetic from {}",
+                                         analysis::kinetic_source_names[static_cast<std::size_t>(trace.all.source)]);
     if (trace.all.drops > 0 && std::isfinite(trace.all.distance))
         text += fmt::format("; {:.4g} drops per millimetre",
                             static_cast<double>(trace.all.drops) / (1e3 * trace.all.distance));
@@ -151,8 +135,8 @@ std::string sensitivity_text(const Sensitivity& result, SensitivityRows rows) {
     text += "\n" + categories_table(result) + "\n";
     text += correlation_line("level", result.level) + correlation_line("dominant frequency", result.frequency);
     if (result.left_out > 0)
-        text += fmt::format("left out: {} {} without a {}\n", result.left_out,
-                            result.left_out == 1 ? "record" : "records", result.quantity);
+        text +=
+            fmt::format("left out: {} without a {}\n", counted(result.left_out, "record", "records"), result.quantity);
     return text;
 }
 

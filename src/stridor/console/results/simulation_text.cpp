@@ -2,8 +2,8 @@
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/escapes.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/classification/interface_rules.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -42,24 +42,24 @@ std::string drive_text(const parameters::Case& c) {
     return kind + values + rate;
 }
 
-std::string figure_or_dash(double value, const char* format) {
-    return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("-");
+std::vector<TextColumn> verdict_columns(const parameters::Case& c) {
+    return {left("phase", 8),       left("category", 10),
+            right("slip", 8),       right("stick", 8),
+            right("separ.", 8),     right("regularity", 13),
+            right("frequency", 12), right(c.own_structure ? "level" : "joint level", 12)};
 }
 
-std::string verdict_row(const Verdict& verdict) {
+std::vector<std::string> verdict_cells(const Verdict& verdict) {
     const analysis::Evidence& e = verdict.evidence;
     const bool locks = verdict.quiet == classification::Quiet::locks;
     const bool is_plain = verdict.category == Category::none && !locks;
-    // what is left of a motion as it jams is no vibration
-    const std::string level = locks ? "-" : figure_or_dash(e.levels.joint.decibels, "{:.1f} dB");
-    // padded before it is styled: escape codes have no width
-    const std::string category = styled(fmt::format("{:<10}", classification::word(verdict)),
-                                        is_plain ? Style::plain : Style::bold, STDOUT_FILENO);
-    return fmt::format(
-        "{:<8}{}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", record::phase_names[static_cast<std::size_t>(e.phase)], category,
-        figure_or_dash(100.0 * e.rates.slip, "{:.1f} %"), figure_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
-        figure_or_dash(100.0 * e.rates.separation, "{:.1f} %"), figure_or_dash(e.alternation.regularity, "{:.3f}"),
-        figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), level);
+    return {std::string(record::phase_names[static_cast<std::size_t>(e.phase)]),
+            styled(classification::word(verdict), is_plain ? Style::plain : Style::bold, STDOUT_FILENO),
+            number_or_dash(100.0 * e.rates.slip, "{:.1f} %"), number_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
+            number_or_dash(100.0 * e.rates.separation, "{:.1f} %"), number_or_dash(e.alternation.regularity, "{:.3f}"),
+            number_or_dash(e.alternation.frequency, "{:.1f} Hz"),
+            // what is left of a motion as it jams is no vibration
+            locks ? "-" : number_or_dash(e.levels.joint.decibels, "{:.1f} dB")};
 }
 
 std::string engine_text(const parameters::Case& c) {
@@ -109,8 +109,8 @@ std::string only_this(const parameters::Case& c, const std::vector<Verdict>& ver
 // what an own structure is pressed and rubs with
 std::string structure_text(const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
-    std::string text = fmt::format(", {}: {} rows, {} contact{}\n", own.origin, own.row.size(), own.contacts.size(),
-                                   own.contacts.size() == 1 ? "" : "s");
+    std::string text = fmt::format(", {}: {} rows, {}\n", own.origin, own.row.size(),
+                                   counted(own.contacts.size(), "contact", "contacts"));
     text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact.preload)
                                           : std::string("without a preload, ");
     return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact.kinetic_friction, c.contact.static_friction);
@@ -139,12 +139,10 @@ std::string rates_text(const analysis::Rates& rates) {
                        100.0 * rates.separation);
 }
 
-// a figure held against its threshold, with the figure's error where it has one
-std::string margin_line(const classification::Margin& margin) {
-    const bool has_error = margin.error && *margin.error > 0.0;
-    return fmt::format("    {:<19} {:>9.4g}  threshold {:<17} {:>7.4g}  distance {:+.4g}{}\n", margin.figure_name,
-                       margin.figure, margin.threshold_name, margin.threshold, margin.distance,
-                       has_error ? fmt::format("  error {:.1g}", *margin.error) : "");
+void widen(analysis::Rates& most, const analysis::Rates& change) {
+    most.slip = std::max(most.slip, std::abs(change.slip));
+    most.stick = std::max(most.stick, std::abs(change.stick));
+    most.separation = std::max(most.separation, std::abs(change.separation));
 }
 
 // by how much the shares of the contacts changed from twice the step, in all phases
@@ -156,9 +154,7 @@ std::string step_change_text(const std::vector<record::Tally>& phases) {
             const std::optional<analysis::Rates> change = analysis::evidence(phase, k).step_change;
             if (!change) continue;
             was_compared = true;
-            most.slip = std::max(most.slip, change->slip);
-            most.stick = std::max(most.stick, change->stick);
-            most.separation = std::max(most.separation, change->separation);
+            widen(most, *change);
         }
     if (!was_compared) return "";
     return "shares changed from twice the step by at most: " + rates_text(most) + "\n";
@@ -178,9 +174,7 @@ std::string massless_text(const parameters::Case& c, const integration::Motion& 
         for (std::size_t k = 0; k < with.contacts.size(); ++k) {
             const analysis::Rates a = analysis::rates(with.contacts[k].time);
             const analysis::Rates b = analysis::rates(without.contacts[k].time);
-            most.slip = std::max(most.slip, std::abs(a.slip - b.slip));
-            most.stick = std::max(most.stick, std::abs(a.stick - b.stick));
-            most.separation = std::max(most.separation, std::abs(a.separation - b.separation));
+            widen(most, {a.slip - b.slip, a.stick - b.stick, a.separation - b.separation});
         }
         const Category first = classification::classify_all(with, c.verdict).whole.category;
         const Category second = classification::classify_all(without, c.verdict).whole.category;
@@ -219,24 +213,28 @@ std::string interface_text(const parameters::Case& c, const classification::Inte
 std::string contacts_text(const parameters::Case& c, const integration::Motion& motion) {
     const std::size_t contacts = parameters::contact_count(c);
     if (contacts < 2) return "";
-    std::string text, wholes;
+    std::string wholes;
     std::size_t widest = 8;
     for (std::size_t k = 0; k < contacts; ++k)
-        widest = std::max(widest, base::character_count(contact_text(c, k)) + 2);
+        widest = std::max(widest, width_of(contact_text(c, k)) + 2);
+    TextTable table{verdict_columns(c)};
+    for (TextColumn& column : table.columns)
+        column.heading.clear();
+    table.columns.insert(table.columns.begin(), left("", widest));
     for (const record::Tally& phase : motion.record.phases) {
         const classification::PhaseVerdicts all =
             classification::classify_all(phase, c.verdict, classification::contact_names(c));
         for (std::size_t k = 0; k < contacts; ++k) {
-            const std::string name = contact_text(c, k);
-            text += name + std::string(widest - base::character_count(name), ' ') +
-                    (all.contacts[k] ? verdict_row(*all.contacts[k]) : "unloaded\n");
+            table.rows.push_back(all.contacts[k] ? verdict_cells(*all.contacts[k])
+                                                 : std::vector<std::string>{"unloaded"});
+            table.rows.back().insert(table.rows.back().begin(), contact_text(c, k));
         }
         for (const classification::InterfaceVerdict& verdict : all.interfaces)
             wholes += "\n" + interface_text(c, verdict);
     }
     const std::string_view heading =
         wholes.empty() ? "a phase takes the loudest verdict" : "a phase takes the verdict of the interface";
-    return fmt::format("\neach contact by itself; {}:\n", heading) + text + wholes;
+    return fmt::format("\neach contact by itself; {}:\n", heading) + text_of(table) + wholes;
 }
 
 }  // namespace
@@ -249,20 +247,17 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         parameters::value_text(c, *parameters::find_field("run.initial")),
                         std::abs(motion.energy.relative_residual()));
     text += proof_text(motion);
-    text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
-                        "separ.", "regularity", "frequency", c.own_structure ? "level" : "joint level");
+    TextTable table{verdict_columns(c)};
     for (const Verdict& verdict : verdicts)
-        text += verdict_row(verdict);
-    text += contacts_text(c, motion) + step_change_text(motion.record.phases) + massless_text(c, motion) + "\n";
+        table.rows.push_back(verdict_cells(verdict));
+    text += text_of(table) + contacts_text(c, motion) + step_change_text(motion.record.phases) +
+            massless_text(c, motion) + "\n";
     for (const Verdict& verdict : verdicts) {
-        text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
-        for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
-            text += (k > 0 ? "; " : "") + verdict.reasons[k];
-        text += "\n";
+        text += fmt::format("{}: {}\n", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)],
+                            fmt::join(verdict.reasons, "; "));
         for (const std::string& warning : verdict.warnings)
             text += "warning: " + warning + "\n";
-        for (const classification::Margin& margin : verdict.margins)
-            if (std::isfinite(margin.figure)) text += styled(margin_line(margin), Style::dim, STDOUT_FILENO);
+        text += margin_lines(verdict.margins, 19, 17);
     }
     text += "\n" + left_out(c, verdicts) + only_this(c, verdicts) +
             "A category names a vibration pattern of the model.\n" +

@@ -1,6 +1,7 @@
 #include "stridor/console/results/sound_text.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/sound/listening_texts.hpp"
@@ -19,25 +20,14 @@ namespace {
 using classification::RecordingVerdict;
 using classification::SoundSegment;
 
-std::string joined(const std::vector<std::string>& reasons) {
-    std::string text;
-    for (std::size_t k = 0; k < reasons.size(); ++k)
-        text += (k > 0 ? "; " : "") + reasons[k];
-    return text;
-}
-
 std::string segment_reasons(const SoundSegment& segment) {
-    std::string text = fmt::format("\n{:.3f} s to {:.3f} s, {}: {}\n", segment.from, segment.to,
-                                   classification::name(segment.verdict.category), joined(segment.verdict.reasons));
+    std::string text =
+        fmt::format("\n{:.3f} s to {:.3f} s, {}: {}\n", segment.from, segment.to,
+                    classification::name(segment.verdict.category), fmt::join(segment.verdict.reasons, "; "));
     if (segment.impulse_interval > 0.0)
         text += fmt::format("    {} impulses, {:.1f} ms apart (median), intervals regular to {:.2f}\n",
                             segment.impulses.size(), 1e3 * segment.impulse_interval, segment.impulse_regularity);
-    for (const classification::Margin& margin : segment.verdict.margins)
-        if (std::isfinite(margin.figure))
-            text += styled(
-                fmt::format("    {:<20} {:>9.4g}  threshold {:<19} {:>7.4g}  distance {:+.4g}\n", margin.figure_name,
-                            margin.figure, margin.threshold_name, margin.threshold, margin.distance),
-                Style::dim, STDOUT_FILENO);
+    text += margin_lines(segment.verdict.margins, 20, 19);
     return text;
 }
 
@@ -57,21 +47,22 @@ std::string explanations(const RecordingVerdict& verdict) {
 
 using sound::SoundAnalysis;
 
+double level_of(const SoundAnalysis& analysis, double mean_square) {
+    return signal::level_of(mean_square, signal::reference_of(analysis.unit));
+}
+
 std::string levels_text(const SoundAnalysis& analysis) {
-    const double reference = signal::reference_of(analysis.unit);
     return fmt::format("levels [{}]: mean {:.1f}, greatest fast {:.1f}, peak {:.1f} ({:.4g} {})\n",
-                       signal::level_unit(analysis.unit), signal::level_of(analysis.mean_square, reference),
-                       analysis.level.greatest, signal::level_of(analysis.peak * analysis.peak, reference),
-                       analysis.peak, analysis.unit);
+                       signal::level_unit(analysis.unit), level_of(analysis, analysis.mean_square),
+                       analysis.level.greatest, level_of(analysis, analysis.peak * analysis.peak), analysis.peak,
+                       analysis.unit);
 }
 
 std::string weighted_text(const SoundAnalysis& analysis) {
-    const double reference = signal::reference_of(analysis.unit);
     const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
-    std::string text =
-        fmt::format("A-weighted: mean {:.1f} dB(A), loudest frame {:.1f} dB(A)\n",
-                    signal::level_of(signal::mean_square_between(weighted, 0.0, 0.5 * analysis.rate), reference),
-                    signal::level_of(analysis.greatest_weighted, reference));
+    std::string text = fmt::format("A-weighted: mean {:.1f} dB(A), loudest frame {:.1f} dB(A)\n",
+                                   level_of(analysis, signal::mean_square_between(weighted, 0.0, 0.5 * analysis.rate)),
+                                   level_of(analysis, analysis.greatest_weighted));
     if (analysis.unit != "Pa")
         text += "(the signal is no calibrated sound pressure: dB(A) re " + signal::level_unit(analysis.unit).substr(6) +
                 ")\n";
@@ -81,39 +72,38 @@ std::string weighted_text(const SoundAnalysis& analysis) {
 std::string peaks_text(const SoundAnalysis& analysis) {
     const auto peaks = signal::strongest_peaks(analysis.spectrum);
     if (peaks.empty()) return "no peak of the spectrum stands out by 10 dB\n";
-    const double reference = signal::reference_of(analysis.unit);
     std::string text = "strongest peaks of the spectrum:\n";
     for (const signal::SpectrumPeak& peak : peaks)
         text += fmt::format("{:>11.1f} Hz{:>9.1f} dB{:>9.1f} dB above its surroundings\n", peak.frequency,
-                            signal::level_of(peak.mean_square, reference), peak.prominence);
+                            level_of(analysis, peak.mean_square), peak.prominence);
     return text;
 }
 
-std::string bands_text(const SoundAnalysis& analysis, signal::BandWidth width) {
-    const double reference = signal::reference_of(analysis.unit);
+// nominal frequency [Hz] and level [dB]
+using BandLevel = std::pair<double, double>;
+
+// four in a line
+std::string bands_text(const std::vector<BandLevel>& bands) {
     std::string text;
-    std::size_t count = 0;
-    for (const signal::Band& band : signal::bands(analysis.spectrum, width)) {
-        text += fmt::format("{:>8g} Hz{:>8.1f} dB", band.nominal, signal::level_of(band.mean_square, reference));
-        if (++count % 4 == 0) text += "\n";
-    }
-    if (count % 4 != 0) text += "\n";
+    for (std::size_t k = 0; k < bands.size(); ++k)
+        text += fmt::format("{:>8g} Hz{:>8.1f} dB{}", bands[k].first, bands[k].second,
+                            k % 4 == 3 || k + 1 == bands.size() ? "\n" : "");
     return text;
+}
+
+std::vector<BandLevel> bands_of(const SoundAnalysis& analysis, signal::BandWidth width) {
+    std::vector<BandLevel> bands;
+    for (const signal::Band& band : signal::bands(analysis.spectrum, width))
+        bands.emplace_back(band.nominal, level_of(analysis, band.mean_square));
+    return bands;
 }
 
 // levels by filters, from 25 Hz to 12.5 kHz
-std::string filtered_bands_text(const SoundAnalysis& analysis) {
-    const double reference = signal::reference_of(analysis.unit);
-    std::string text;
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < signal::third_octave_count; ++k) {
-        if (!sound::holds_third_octave(analysis.rate, k)) break;
-        text += fmt::format("{:>8g} Hz{:>8.1f} dB", signal::third_octave_names[k],
-                            signal::level_of(analysis.quality->third_octaves[k], reference));
-        if (++count % 4 == 0) text += "\n";
-    }
-    if (count % 4 != 0) text += "\n";
-    return text;
+std::vector<BandLevel> filtered_bands(const SoundAnalysis& analysis) {
+    std::vector<BandLevel> bands;
+    for (std::size_t k = 0; k < signal::third_octave_count && sound::holds_third_octave(analysis.rate, k); ++k)
+        bands.emplace_back(signal::third_octave_names[k], level_of(analysis, analysis.quality->third_octaves[k]));
+    return bands;
 }
 
 std::string roughness_text(const sound::SoundQuality& q) {
@@ -135,13 +125,11 @@ std::string quality_text(const SoundAnalysis& analysis) {
 }
 
 std::string named_bands_text(const SoundAnalysis& analysis) {
-    const double reference = signal::reference_of(analysis.unit);
     std::string text = "bands of the field:\n";
     for (const signal::NamedBand& band : signal::named_bands)
-        text += fmt::format(
-            "  {:<15}{:>8.1f} dB  {}\n", band.name,
-            signal::level_of(signal::mean_square_between(analysis.spectrum, band.low, band.high), reference),
-            band.source);
+        text += fmt::format("  {:<15}{:>8.1f} dB  {}\n", band.name,
+                            level_of(analysis, signal::mean_square_between(analysis.spectrum, band.low, band.high)),
+                            band.source);
     return text;
 }
 
@@ -174,33 +162,34 @@ std::string channel_title(const io::SoundReport& report, std::size_t channel) {
 }
 
 std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
-    const double reference = signal::reference_of(analysis.unit);
-    std::string text =
-        fmt::format("{:>9}{:>10}  {:<10}{:>9}{:>11}{:>9}{:>11}{:>9}{:>7}{:>9}\n", "from", "to", "category", "level",
-                    "frequency", "tonal", "regularity", "moves", "rest", "kurtosis");
+    TextTable table{{right("from", 9), right("to", 10), left("  category", 12), right("level", 9),
+                     right("frequency", 11), right("tonal", 9), right("regularity", 11), right("moves", 9),
+                     right("rest", 7), right("kurtosis", 9)}};
     for (const classification::SoundSegment& segment : verdict.segments) {
         const sound::SoundFeatures& f = segment.verdict.features;
         const bool is_noisy = segment.verdict.category != classification::Category::none;
-        const std::string category = styled(fmt::format("{:<10}", classification::name(segment.verdict.category)),
-                                            is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
-        text += fmt::format("{:>7.3f} s{:>8.3f} s  {}", segment.from, segment.to, category);
+        add_row(table, fmt::format("{:.3f} s", segment.from), fmt::format("{:.3f} s", segment.to),
+                "  " + styled(classification::name(segment.verdict.category), is_noisy ? Style::bold : Style::plain,
+                              STDOUT_FILENO));
+        std::vector<std::string>& row = table.rows.back();
         if (f.mean_square > 0.0)
-            text += fmt::format("{:>6.1f} dB{:>8.0f} Hz{:>9.2f}{:>11.3f}{:>7.1f} %{:>7.2f}{:>9.1f}\n",
-                                signal::level_of(segment.mean_square, reference), f.frequency, f.tonality, f.regularity,
-                                100.0 * f.movement, f.rest, f.kurtosis);
+            row.insert(row.end(), {fmt::format("{:.1f} dB", level_of(analysis, segment.mean_square)),
+                                   fmt::format("{:.0f} Hz", f.frequency), fmt::format("{:.2f}", f.tonality),
+                                   fmt::format("{:.3f}", f.regularity), fmt::format("{:.1f} %", 100.0 * f.movement),
+                                   fmt::format("{:.2f}", f.rest), fmt::format("{:.1f}", f.kurtosis)});
         else
-            text += "  silence\n";
+            row.push_back("  silence");
     }
-    return text;
+    return text_of(table);
 }
 
 std::string verdict_text(const io::SoundReport& report) {
     std::string text;
     for (std::size_t k = 0; k < report.channels.size(); ++k) {
         const RecordingVerdict& verdict = report.verdicts[k];
-        text += (k > 0 ? "\n" : "") + channel_title(report, k) + ": " +
-                styled(std::string(classification::name(verdict.category)), Style::bold, STDOUT_FILENO) + " (" +
-                joined(verdict.reasons) + ")\n\n";
+        text += fmt::format("{}{}: {} ({})\n\n", k > 0 ? "\n" : "", channel_title(report, k),
+                            styled(classification::name(verdict.category), Style::bold, STDOUT_FILENO),
+                            fmt::join(verdict.reasons, "; "));
         text += segment_table(report.channels[k], verdict) + explanations(verdict);
     }
     if (report.channels.size() > 1)
@@ -219,9 +208,10 @@ std::string analysis_text(const io::SoundReport& report, Weighting weighting) {
         if (analysis.unit == "Pa" || weighting == Weighting::of_all) text += weighted_text(analysis);
         text += quality_text(analysis);
         text += "\n" + peaks_text(analysis);
-        text += "\noctave bands:\n" + bands_text(analysis, signal::BandWidth::octave);
-        text += analysis.quality ? "\nthird-octave bands (filters of IEC 61260-1):\n" + filtered_bands_text(analysis)
-                                 : "\nthird-octave bands:\n" + bands_text(analysis, signal::BandWidth::third_octave);
+        text += "\noctave bands:\n" + bands_text(bands_of(analysis, signal::BandWidth::octave));
+        text += analysis.quality
+                    ? "\nthird-octave bands (filters of IEC 61260-1):\n" + bands_text(filtered_bands(analysis))
+                    : "\nthird-octave bands:\n" + bands_text(bands_of(analysis, signal::BandWidth::third_octave));
         text += "\n" + named_bands_text(analysis);
         text += "\n" + segment_table(analysis, report.verdicts[k]);
     }

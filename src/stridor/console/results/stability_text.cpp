@@ -3,6 +3,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/console/progress.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -81,8 +82,8 @@ std::string boundary_lines(const analysis::StabilityScan& scan, const analysis::
         text += fmt::format("{:<8}{} throughout\n", name, kind_name(direction.path.points.front().stability.kind));
     for (const analysis::StabilityBoundary& boundary : direction.path.boundaries)
         text += fmt::format("{:<8}{} -> {} at {} = {:.5g}{} ({:.2f} Hz)\n", name, kind_name(boundary.below),
-                            kind_name(boundary.above), scan.key, boundary.value,
-                            scan.unit == "1" ? "" : " " + scan.unit, boundary.frequency);
+                            kind_name(boundary.above), scan.key, boundary.value, after_number(scan.unit),
+                            boundary.frequency);
     return text;
 }
 
