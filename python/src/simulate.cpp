@@ -70,57 +70,19 @@ py::str document(const RunHandle& run) {
     return python_text(io::simulation_json(*run.c.of, run.motion, integration::cost(*run.c.of), run.verdicts));
 }
 
-// rows of one length as one piece of memory
-std::vector<double> joined(const std::vector<std::vector<double>>& rows) {
-    std::vector<double> numbers;
-    for (const std::vector<double>& row : rows)
-        numbers.insert(numbers.end(), row.begin(), row.end());
-    return numbers;
-}
-
-/// Columns as (name, dimensions, array, unit, sentence).
-class Columns {
-public:
-    explicit Columns(py::ssize_t samples) : samples_(samples) {}
-
-    void add(std::string_view name, std::vector<double> numbers, const char* outer, const auto& column) {
-        const auto rows = samples_ > 0 ? static_cast<py::ssize_t>(numbers.size()) / samples_ : 0;
-        const bool has_rows = outer != nullptr;
-        const std::vector<py::ssize_t> shape = has_rows ? std::vector{rows, samples_} : std::vector{samples_};
-        const py::tuple dimensions = has_rows ? py::make_tuple(outer, "time") : py::make_tuple("time");
-        list.append(
-            py::make_tuple(name, dimensions, array_of(std::move(numbers), shape), column.unit, column.sentence));
-    }
-
-    py::list list{};
-
-private:
-    py::ssize_t samples_;
-};
-
-py::array contact_states(const std::vector<record::ContactTrace>& contacts, py::ssize_t samples) {
-    std::vector<signed char> states;
-    for (const record::ContactTrace& contact : contacts)
-        for (const model::ContactState state : contact.state)
-            states.push_back(static_cast<signed char>(state));
-    const auto count = static_cast<py::ssize_t>(contacts.size());
-    return array_of(std::move(states), count > 1 ? std::vector{count, samples} : std::vector{samples});
-}
-
-py::list columns_of(record::Trace trace) {
-    Columns columns(static_cast<py::ssize_t>(trace.time.size()));
-    columns.add(record::time_column.name, std::move(trace.time), nullptr, record::time_column);
-    for (const record::DofColumn& column : record::dof_columns)
-        columns.add(column.name, joined(trace.*column.samples), "dof", column);
-    columns.add(record::surface_column.name, std::move(trace.surface_velocity), nullptr, record::surface_column);
-    const char* outer = trace.contacts.size() > 1 ? "contact" : nullptr;
-    for (const record::ContactColumn& column : record::contact_columns) {
-        std::vector<std::vector<double>> rows;
-        for (record::ContactTrace& contact : trace.contacts)
-            rows.push_back(std::move(contact.*column.samples));
-        columns.add(column.name, rows.size() == 1 ? std::move(rows.front()) : joined(rows), outer, column);
-    }
-    return columns.list;
+// columns as (name, dimensions, array, unit, sentence)
+py::list columns_of(const record::Trace& trace) {
+    const auto samples = static_cast<py::ssize_t>(trace.time.size());
+    py::list columns;
+    io::visit_arrays(trace, [&](io::TraceArray& array) {
+        const auto rows = samples > 0 ? static_cast<py::ssize_t>(array.values.size()) / samples : 0;
+        const bool has_rows = !array.outer.empty();
+        const std::vector<py::ssize_t> shape = has_rows ? std::vector{rows, samples} : std::vector{samples};
+        const py::tuple dimensions = has_rows ? py::make_tuple(array.outer, "time") : py::make_tuple("time");
+        columns.append(py::make_tuple(array.name, dimensions, array_of(std::move(array.values), shape), array.unit,
+                                      array.sentence));
+    });
+    return columns;
 }
 
 py::dict trace(const CaseHandle& c, const std::string& from, const std::string& to, const std::string& interval) {
@@ -131,28 +93,46 @@ py::dict trace(const CaseHandle& c, const std::string& from, const std::string& 
     if (c.of->own_structure) record::add_points(trace, parameters::output_weights(*c.of->own_structure));
     py::dict parts;
     parts["dofs"] = io::dof_names(*c.of, trace.displacement.size());
-    parts["states"] = contact_states(trace.contacts, static_cast<py::ssize_t>(trace.time.size()));
-    parts["columns"] = columns_of(std::move(trace));
+    const auto contacts = static_cast<py::ssize_t>(trace.contacts.size());
+    const auto samples = static_cast<py::ssize_t>(trace.time.size());
+    parts["states"] =
+        array_of(io::states_of(trace), contacts > 1 ? std::vector{contacts, samples} : std::vector{samples});
+    parts["columns"] = columns_of(trace);
     return parts;
 }
 
-// the stays of all contacts, one contact after the other: number of the contact, state, and numbers of each stay
+py::dict origin(const CaseHandle& c, const std::string& schema) {
+    py::dict attributes;
+    for (const auto& [name, text] : io::origin_of_run(schema, *c.of))
+        attributes[py::str(name)] = python_text(text);
+    return attributes;
+}
+
+// the stays of all contacts, one contact after the other: number of the contact, state, and columns of numbers as
+// (name, array, unit, sentence)
 py::tuple history(const CaseHandle& c) {
     record::Request request;
     request.history = record::KeepHistory::yes;
     const RunHandle done = run(c, request);
     std::vector<int> contacts;
     std::vector<signed char> states;
-    std::vector<double> numbers;
+    std::vector<record::ContactInterval> stays;
     for (std::size_t k = 0; k < done.motion.record.histories.size(); ++k)
         for (const record::ContactInterval& stay : done.motion.record.histories[k]) {
             contacts.push_back(static_cast<int>(k + 1));
             states.push_back(static_cast<signed char>(stay.state));
-            numbers.insert(numbers.end(), {stay.from, stay.to, stay.slip_velocity, stay.gap_velocity});
+            stays.push_back(stay);
         }
     const auto count = static_cast<py::ssize_t>(states.size());
-    return py::make_tuple(array_of(std::move(contacts), {count}), array_of(std::move(states), {count}),
-                          array_of(std::move(numbers), {count, 4}));
+    py::list columns;
+    for (const io::IntervalColumn& column : io::interval_columns) {
+        std::vector<double> numbers;
+        for (const record::ContactInterval& stay : stays)
+            numbers.push_back(stay.*column.member);
+        columns.append(
+            py::make_tuple(column.name, array_of(std::move(numbers), {count}), column.unit, column.sentence));
+    }
+    return py::make_tuple(array_of(std::move(contacts), {count}), array_of(std::move(states), {count}), columns);
 }
 
 }  // namespace
@@ -165,6 +145,7 @@ void bind_simulation(py::module_& module) {
         "simulate", [](const CaseHandle& c) { return run(c, {}); }, py::arg("case"));
     module.def("trace", &trace, py::arg("case"), py::arg("start"), py::arg("stop"), py::arg("interval"));
     module.def("history", &history, py::arg("case"));
+    module.def("origin", &origin, py::arg("case"), py::arg("schema"));
     module.attr("contact_states") =
         std::vector<std::string_view>(model::contact_state_names.begin(), model::contact_state_names.end());
 }

@@ -90,7 +90,8 @@ def evaluate(
         Over direction and the arrays' dimensions ("point", or "dim_0", "dim_1", ...): category, quiet_because and
         status as words, message, and all figures with their units; NaN where there is none. With starts the
         `agreement` of all, and by start (dimension "start") the `start_verdict`: the category, or the status without
-        one. The values are coordinates.
+        one. The values are coordinates. The attributes say where it came from: the program with version and commit,
+        and the case with its engine, in which the values stand in the place of its own.
 
     Raises
     ------
@@ -113,7 +114,8 @@ def evaluate(
     ['plastic: 0.679', 'restitution: 0.715']
     """
     xarray = needed("xarray", "an evaluation")
-    points = points_of(as_case(case), values)
+    of = as_case(case)
+    points = points_of(of, values)
     ways, starts = _list(directions), _list(starts)
     if starts and "run.initial" in points.columns:
         raise InputError("starts and run.initial both say where a run begins. Leave one of them out.")
@@ -125,7 +127,7 @@ def evaluate(
         result = _stridor.evaluate(asked, count, show)
     finally:
         close()
-    return xarray.Dataset(*_dataset_parts(points, ways, starts, result))
+    return xarray.Dataset(*_dataset_parts(points, ways, starts, result), _stridor.origin(of._handle, "points"))
 
 
 def _dataset_parts(points: Points, ways: List[str], starts: List[str],

@@ -228,7 +228,8 @@ class Motion:
         -------
         xarray.Dataset
             As `stridor simulate --trace FILE.nc` writes it: displacement [m], velocity [m/s] and acceleration
-            [m/s^2] over (dof, time), forces [N] and gap [m] over time, and the contact's state, a word.
+            [m/s^2] over (dof, time), forces [N] and gap [m] over time, and the contact's state, a word. The
+            attributes say where it came from: the program with version and commit, and the case with its engine.
 
         Examples
         --------
@@ -248,7 +249,7 @@ class Motion:
         variables["state"] = (variables["gap"][0], *_states(parts["states"]))
         dofs = ("dof", parts["dofs"], {"long_name": "degree of freedom"})
         coordinates = {"time": variables.pop("time"), "dof": dofs}
-        return xarray.Dataset(variables, coordinates)
+        return xarray.Dataset(variables, coordinates, _stridor.origin(self.case._handle, "trace"))
 
     def history(self) -> Any:
         """All stays of the contacts in their states. The run is done once more.
@@ -257,7 +258,7 @@ class Motion:
         -------
         xarray.Dataset
             Over `interval`: contact (its number, from 1), state (a word), from and to [s], slip_velocity and
-            gap_velocity at the beginning [m/s].
+            gap_velocity at the beginning [m/s]; in the attributes where it came from, as of a trace.
 
         Examples
         --------
@@ -267,16 +268,12 @@ class Motion:
         (0.0, 's')
         """
         xarray = needed("xarray", "a history")
-        contacts, states, numbers = _stridor.history(self.case._handle)
-        sentences = [("from", "s", "time at which the state began"), ("to", "s", "time at which it ended"),
-                     ("slip_velocity", "m/s", "slip velocity at its beginning"),
-                     ("gap_velocity", "m/s", "velocity of the gap at its beginning; negative: the surfaces met")]
-        variables: Dict[str, Any] = {
-            name: ("interval", numbers[:, k], {"units": unit, "long_name": sentence})
-            for k, (name, unit, sentence) in enumerate(sentences)}
+        contacts, states, columns = _stridor.history(self.case._handle)
+        variables: Dict[str, Any] = {name: ("interval", array, {"units": unit, "long_name": sentence})
+                                     for name, array, unit, sentence in columns}
         variables["contact"] = ("interval", contacts, {"units": "1", "long_name": "number of the contact, from 1"})
         variables["state"] = ("interval", *_states(states))
-        return xarray.Dataset(variables)
+        return xarray.Dataset(variables, attrs=_stridor.origin(self.case._handle, "history"))
 
     def __getstate__(self) -> Tuple[Any, ...]:
         return (self.case, *self._read())

@@ -204,11 +204,16 @@ void NetcdfDataset::finish(const std::function<void(std::string_view)>& take) {
     take({static_cast<const char*>(memory.memory), memory.size});
 }
 
-void put_origin(NetcdfDataset& file, std::string_view schema, const std::string& title) {
-    file.attribute("Conventions", "CF-1.10");
-    file.attribute("title", title);
-    file.attribute("source", "stridor " + std::string(base::version()) + " (" + std::string(base::commit()) + ")");
-    file.attribute("schema", "stridor." + std::string(schema) + "/1");
+Attributes origin_attributes(std::string_view schema, const std::string& title) {
+    return {{"Conventions", "CF-1.10"},
+            {"title", title},
+            {"source", "stridor " + std::string(base::version()) + " (" + std::string(base::commit()) + ")"},
+            {"schema", "stridor." + std::string(schema) + "/1"}};
+}
+
+void put(NetcdfDataset& file, const Attributes& attributes) {
+    for (const auto& [name, text] : attributes)
+        file.attribute(name, text);
 }
 
 }  // namespace stridor::io

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stridor::io {
@@ -107,7 +108,13 @@ private:
     int id_ = -1;
 };
 
-/// Adds the origin of every file of ours: conventions, title, the program, and the schema "stridor.SCHEMA/1".
-void put_origin(NetcdfDataset& file, std::string_view schema, const std::string& title);
+/// Texts by their names, in order.
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns the origin of every file of ours: conventions, title, the program, and the schema "stridor.SCHEMA/1".
+Attributes origin_attributes(std::string_view schema, const std::string& title);
+
+/// Puts attributes of the whole file.
+void put(NetcdfDataset& file, const Attributes& attributes);
 
 }  // namespace stridor::io

@@ -197,7 +197,7 @@ void put_chart(NetcdfDataset& file, const sweep::SweepResult& result, std::span<
                const std::function<void(const TakeBand&)>& bands) {
     const sweep::Study& study = result.study;
     const std::string canonical = sweep::canonical_text(study);
-    put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
+    put(file, origin_attributes("chart", study.base.title.empty() ? "noise chart" : study.base.title));
     const int direction = put_directions(file, study);
     const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
     const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");

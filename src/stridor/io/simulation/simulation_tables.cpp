@@ -6,7 +6,6 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/csv_opening.hpp"
-#include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/model/sliding_motion.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/trace.hpp"
@@ -16,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
+#include <span>
 
 namespace stridor::io {
 
@@ -25,41 +26,21 @@ using base::csv_text::TableColumn;
 
 namespace {
 
-// numbers of each contact; without a dimension of contacts, if there is only one
-void put_contacts(NetcdfDataset& file, const record::Trace& trace, const std::vector<int>& along) {
-    for (const record::ContactColumn& column : record::contact_columns) {
-        std::vector<double> values;
-        for (const record::ContactTrace& contact : trace.contacts)
-            values.insert(values.end(), (contact.*column.samples).begin(), (contact.*column.samples).end());
-        file.doubles(std::string(column.name), along, values, {column.unit, column.sentence});
-    }
-    std::vector<signed char> states;
-    for (const record::ContactTrace& contact : trace.contacts)
-        for (const model::ContactState state : contact.state)
-            states.push_back(static_cast<signed char>(state));
-    file.flags(std::string(record::state_column), along, states, {model::contact_state_names}, {"", "contact state"});
-}
-
 void put_trace(NetcdfDataset& file, const parameters::Case& c, const record::Trace& trace) {
     const std::vector<std::string> names = dof_names(c, trace.displacement.size());
     const int time = file.dimension("time", trace.time.size());
     const int dof = file.dimension("dof", names.size());
-    const auto put = [&](const record::TraceColumn& column, MissingNumbers missing) {
-        file.doubles(std::string(column.name), std::array{time}, trace.*column.samples,
-                     {column.unit, column.sentence, missing});
-    };
-    put(record::time_column, MissingNumbers::no);
-    file.words("dof", std::array{dof}, names, {"", "degree of freedom"});
-    for (const record::DofColumn& column : record::dof_columns) {
-        std::vector<double> values;
-        for (const std::vector<double>& row : trace.*column.samples)
-            values.insert(values.end(), row.begin(), row.end());
-        file.doubles(std::string(column.name), std::array{dof, time}, values, {column.unit, column.sentence});
-    }
-    put(record::surface_column, MissingNumbers::as_nan);
     std::vector<int> along{time};
-    if (trace.contacts.size() > 1) along.insert(along.begin(), file.dimension("contact", trace.contacts.size()));
-    put_contacts(file, trace, along);
+    visit_arrays(trace, [&](const TraceArray& array) {
+        if (array.outer == "contact" && along.size() == 1)
+            along.insert(along.begin(), file.dimension("contact", trace.contacts.size()));
+        const bool is_time = array.name == record::time_column.name;
+        file.doubles(std::string(array.name), array.outer == "dof" ? std::vector{dof, time} : along, array.values,
+                     {array.unit, array.sentence, is_time ? MissingNumbers::no : MissingNumbers::as_nan});
+        if (is_time) file.words("dof", std::array{dof}, names, {"", "degree of freedom"});
+    });
+    file.flags(std::string(record::state_column), along, states_of(trace), {model::contact_state_names},
+               {"", "contact state"});
 }
 
 // the stays of all contacts, one contact after the other
@@ -77,18 +58,13 @@ void put_histories(NetcdfDataset& file, const std::vector<record::ContactHistory
     for (const record::ContactInterval& interval : stays)
         states.push_back(static_cast<signed char>(interval.state));
     file.flags("interval_state", along, states, {model::contact_state_names}, {"", "contact state"});
-    const auto put = [&](const std::string& name, double record::ContactInterval::*member,
-                         const Description& description) {
+    for (const IntervalColumn& column : interval_columns) {
         std::vector<double> values;
         for (const record::ContactInterval& interval : stays)
-            values.push_back(interval.*member);
-        file.doubles(name, along, values, description);
-    };
-    put("interval_from", &record::ContactInterval::from, {"s", "time at which the state began", MissingNumbers::no});
-    put("interval_to", &record::ContactInterval::to, {"s", "time at which it ended", MissingNumbers::no});
-    put("interval_slip_velocity", &record::ContactInterval::slip_velocity, {"m/s", "slip velocity at its beginning"});
-    put("interval_gap_velocity", &record::ContactInterval::gap_velocity,
-        {"m/s", "velocity of the gap at its beginning; negative: the surfaces met"});
+            values.push_back(interval.*column.member);
+        const MissingNumbers missing = column.unit == "s" ? MissingNumbers::no : MissingNumbers::as_nan;
+        file.doubles("interval_" + std::string(column.name), along, values, {column.unit, column.sentence, missing});
+    }
 }
 
 using analysis::SlidingStability;
@@ -135,6 +111,33 @@ double rate_of(const record::Trace& trace, double interval) {
 
 }  // namespace
 
+void visit_arrays(const record::Trace& trace, const std::function<void(TraceArray&)>& use) {
+    const auto give = [&](const auto& column, std::string_view outer, const auto& rows) {
+        TraceArray array{column.name, column.unit, column.sentence, outer, {}};
+        for (const std::vector<double>& row : rows)
+            array.values.insert(array.values.end(), row.begin(), row.end());
+        use(array);
+    };
+    give(record::time_column, "", std::span(&trace.time, 1));
+    for (const record::DofColumn& column : record::dof_columns)
+        give(column, "dof", trace.*column.samples);
+    give(record::surface_column, "", std::span(&trace.surface_velocity, 1));
+    for (const record::ContactColumn& column : record::contact_columns) {
+        std::vector<std::reference_wrapper<const std::vector<double>>> rows;
+        for (const record::ContactTrace& contact : trace.contacts)
+            rows.emplace_back(contact.*column.samples);
+        give(column, rows.size() > 1 ? "contact" : "", rows);
+    }
+}
+
+std::vector<signed char> states_of(const record::Trace& trace) {
+    std::vector<signed char> states;
+    for (const record::ContactTrace& contact : trace.contacts)
+        for (const model::ContactState state : contact.state)
+            states.push_back(static_cast<signed char>(state));
+    return states;
+}
+
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval) {
     Facts facts = csv_opening("trace", c);
     facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");
@@ -169,8 +172,9 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
 std::string history_csv(const parameters::Case& c, const std::vector<record::ContactHistory>& histories) {
     Facts facts = csv_opening("history", c);
     add_lines(facts, parameters::canonical_text(c));
-    std::vector<TableColumn> columns{
-        {"state"}, {"from", "s"}, {"to", "s"}, {"slip_velocity", "m/s"}, {"gap_velocity", "m/s"}};
+    std::vector<TableColumn> columns{{"state"}};
+    for (const IntervalColumn& column : interval_columns)
+        columns.push_back({std::string(column.name), std::string(column.unit)});
     const bool has_several = histories.size() > 1;
     if (has_several) columns.insert(columns.begin(), {"contact"});
     Table table(facts, columns);
@@ -178,20 +182,25 @@ std::string history_csv(const parameters::Case& c, const std::vector<record::Con
         for (const record::ContactInterval& interval : histories[contact]) {
             if (has_several) table.number(static_cast<double>(contact + 1));
             table.word(model::contact_state_names[model::index_of(interval.state)]);
-            for (const double value : {interval.from, interval.to, interval.slip_velocity, interval.gap_velocity})
-                table.number(value);
+            for (const IntervalColumn& column : interval_columns)
+                table.number(interval.*column.member);
             table.end_row();
         }
     return table.take();
 }
 
-void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record) {
+Attributes origin_of_run(std::string_view schema, const parameters::Case& c) {
     const std::string canonical = parameters::canonical_text(c);
+    Attributes attributes = origin_attributes(schema, c.title.empty() ? "simulated motion" : c.title);
+    attributes.emplace_back("study", canonical);
+    attributes.emplace_back("study_hash", base::hash_text(canonical));
+    attributes.emplace_back("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
+    return attributes;
+}
+
+void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record) {
     NetcdfDataset file(path);
-    put_origin(file, "trace", c.title.empty() ? "simulated motion" : c.title);
-    file.attribute("study", canonical);
-    file.attribute("study_hash", base::hash_text(canonical));
-    file.attribute("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
+    put(file, origin_of_run("trace", c));
     if (!record.trace.time.empty()) put_trace(file, c, record.trace);
     const bool has_history = std::any_of(record.histories.begin(), record.histories.end(),
                                          [](const record::ContactHistory& history) { return !history.empty(); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/analysis/stability_scan.hpp"
+#include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,40 @@ inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t
         names.push_back("u" + std::to_string(k));
     return names;
 }
+
+/// A number of each stay of a contact in one state, as all tables of them have it.
+struct IntervalColumn {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view sentence;
+    double record::ContactInterval::*member;
+};
+
+inline constexpr std::array<IntervalColumn, 4> interval_columns{
+    {{"from", "s", "time at which the state began", &record::ContactInterval::from},
+     {"to", "s", "time at which it ended", &record::ContactInterval::to},
+     {"slip_velocity", "m/s", "slip velocity at its beginning", &record::ContactInterval::slip_velocity},
+     {"gap_velocity", "m/s", "velocity of the gap at its beginning; negative: the surfaces met",
+      &record::ContactInterval::gap_velocity}}};
+
+/// Says where a table of runs of a case came from: title, program with version and commit, the schema
+/// "stridor.SCHEMA/1", and the case with its engine, as canonical text (`study`, with its hash) and as TOML (`case`).
+Attributes origin_of_run(std::string_view schema, const parameters::Case& c);
+
+/// The numbers of one column of a trace.
+struct TraceArray {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view sentence;
+    std::string_view outer;      // "dof" or "contact", where there is a row of samples for each; else empty
+    std::vector<double> values;  // shape [outer][sample]
+};
+
+/// Shows all columns of numbers of a trace, in the order of files. Those of contacts have rows where there are several.
+void visit_arrays(const record::Trace& trace, const std::function<void(TraceArray&)>& use);
+
+/// The states of the contacts as numbers of `model::contact_state_names`; shape [contact][sample].
+std::vector<signed char> states_of(const record::Trace& trace);
 
 // Motions as CSV text, in the form of all our tables (base/csv_text.hpp). Nothing in it changes between two runs of
 // the same case.

@@ -163,7 +163,7 @@ void put_nodes(NetcdfDataset& file, PartWriter& writer, const ElasticPart& part)
 void write_reduced_part(const std::string& path, const Reduction& reduction, const std::string& origin) {
     const ElasticPart& part = reduction.part;
     NetcdfDataset file(path);
-    put_origin(file, "structure", "reduced finite-element part");
+    put(file, origin_attributes("structure", "reduced finite-element part"));
     PartWriter writer(file);
     file.attribute("origin", origin);
     writer.text("method", std::string(name_of(reduction.method)));
