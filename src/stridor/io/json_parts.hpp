@@ -32,6 +32,30 @@ std::string_view name_of(std::span<const std::string_view> names, Enumeration va
     return names[static_cast<std::size_t>(value)];
 }
 
+/// Returns the items of a list, each as `object` makes it.
+template <typename Items, typename Object>
+Json array_of(const Items& items, const Object& object) {
+    Json array = Json::array();
+    for (const auto& item : items)
+        array.push_back(object(item));
+    return array;
+}
+
+/// Returns values by their names, in the order of these.
+template <typename Values>
+Json named(std::span<const std::string_view> names, const Values& values) {
+    Json object = Json::object();
+    for (std::size_t k = 0; k < names.size(); ++k)
+        object[std::string(names[k])] = values[k];
+    return object;
+}
+
+/// Returns the beginning of every document: schema, version, commit.
+inline Json opening(std::string_view what) {
+    return {
+        {"schema", "stridor." + std::string(what) + "/1"}, {"version", base::version()}, {"commit", base::commit()}};
+}
+
 /// Returns why a contact is quiet; null if it is not.
 inline Json quiet_word(classification::Quiet quiet) {
     return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
@@ -148,16 +172,15 @@ inline Json case_units(const parameters::Case& c) {
 
 /// Returns margins, each figure beside its threshold.
 inline Json margins_array(std::span<const classification::Margin> margins) {
-    Json array = Json::array();
-    for (const classification::Margin& margin : margins) {
-        array.push_back({{"threshold", margin.threshold_name},
-                         {"figure", margin.figure_name},
-                         {"value", margin.figure},
-                         {"threshold_value", margin.threshold},
-                         {"distance", margin.distance}});
-        if (margin.error) array.back()["error"] = *margin.error;
-    }
-    return array;
+    return array_of(margins, [](const classification::Margin& margin) {
+        Json object{{"threshold", margin.threshold_name},
+                    {"figure", margin.figure_name},
+                    {"value", margin.figure},
+                    {"threshold_value", margin.threshold},
+                    {"distance", margin.distance}};
+        if (margin.error) object["error"] = *margin.error;
+        return object;
+    });
 }
 
 /// Returns thresholds by ear, by their names.
@@ -181,10 +204,9 @@ inline Json axis_object(const sweep::Axis& axis) {
 
 /// Returns the beginning of every document about a case: schema, version, commit, case.
 inline Json opening(std::string_view what, const parameters::Case& c) {
-    return {{"schema", "stridor." + std::string(what) + "/1"},
-            {"version", base::version()},
-            {"commit", base::commit()},
-            {"case", case_object(c)}};
+    Json document = opening(what);
+    document["case"] = case_object(c);
+    return document;
 }
 
 }  // namespace stridor::io::json_parts

@@ -91,6 +91,7 @@ using advice::DesignSpace;
 using advice::DesignVerdict;
 using advice::ParameterMargin;
 using base::Json;
+using json_parts::array_of;
 using json_parts::name_of;
 
 std::string_view unit_of(const DesignSpace& space, std::size_t parameter) {
@@ -127,10 +128,9 @@ Json end_object(const advice::ScanSide& side) {
 }
 
 Json scan_array(const ParameterMargin& margin) {
-    Json scan = Json::array();
-    for (const advice::ScanPoint& point : margin.scan)
-        scan.push_back({{"value", point.value}, {"category", sweep::word(advice::overall(point.verdict))}});
-    return scan;
+    return array_of(margin.scan, [](const advice::ScanPoint& point) -> Json {
+        return {{"value", point.value}, {"category", sweep::word(advice::overall(point.verdict))}};
+    });
 }
 
 Json margin_object(const DesignSpace& space, const ParameterMargin& margin) {
@@ -156,16 +156,14 @@ Json setting(const DesignSpace& space, std::size_t parameter, double from, doubl
 }
 
 Json starts_array(const DesignSpace& space) {
-    Json starts = Json::array();
-    for (const parameters::Initial start : advice::starts_of(space))
-        starts.push_back(name_of<parameters::Initial>(sweep::start_names(), start));
-    return starts;
+    return array_of(advice::starts_of(space),
+                    [](parameters::Initial start) { return name_of(sweep::start_names(), start); });
 }
 
 Json quieting_object(const DesignSpace& space, const DesignChange& change) {
-    Json set = Json::array();
-    for (const advice::ParameterChange& each : change.set)
-        set.push_back(setting(space, each.parameter, each.from, each.to));
+    Json set = array_of(change.set, [&](const advice::ParameterChange& each) {
+        return setting(space, each.parameter, each.from, each.to);
+    });
     Json verified = verdict_object(space, change.verdict);
     verified["runs"] = change.runs;
     verified["designs"] = change.designs;
@@ -210,10 +208,7 @@ Json nearest_object(const DesignSpace& space, const std::optional<advice::Neares
 }
 
 Json changes_array(const Advice& advice) {
-    Json changes = Json::array();
-    for (const DesignChange& change : advice.changes)
-        changes.push_back(quieting_object(advice.space, change));
-    return changes;
+    return array_of(advice.changes, [&](const DesignChange& change) { return quieting_object(advice.space, change); });
 }
 
 Json estimate_object(const advice::Estimate& estimate) {
@@ -222,14 +217,13 @@ Json estimate_object(const advice::Estimate& estimate) {
 
 Json chance_object(const std::optional<advice::Chance>& chance) {
     if (!chance) return nullptr;
-    Json tolerances = Json::array();
-    for (const advice::Tolerance& each : chance->tolerances) {
-        tolerances.push_back({{"key", each.key},
-                              {"value", each.value},
-                              {"tolerance", each.tolerance},
-                              {"unit", parameters::unit_of(each.key)},
-                              {"spread", name_of<advice::Spread>(advice::spread_names, each.spread)}});
-    }
+    Json tolerances = array_of(chance->tolerances, [](const advice::Tolerance& each) -> Json {
+        return {{"key", each.key},
+                {"value", each.value},
+                {"tolerance", each.tolerance},
+                {"unit", parameters::unit_of(each.key)},
+                {"spread", name_of<advice::Spread>(advice::spread_names, each.spread)}};
+    });
     Json by_category = Json::object();
     for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
         if (chance->by_verdict[k].share > 0.0)
@@ -268,10 +262,8 @@ void add_standing(Json& document, const DesignSpace& space, const DesignVerdict&
                   const std::optional<advice::Neighbourhood>& near) {
     document["headline"] = advice::headline(space, present, near);
     document["standing"] = name_of<advice::Standing>(advice::standing_names, advice::standing(present, near));
-    Json phases = Json::array();
-    for (const record::Phase phase : space.phases)
-        phases.push_back(name_of<record::Phase>(record::phase_names, phase));
-    document["phases"] = std::move(phases);
+    document["phases"] =
+        array_of(space.phases, [](record::Phase phase) { return name_of(record::phase_names, phase); });
     document["starts"] = starts_array(space);
     document["present"] = verdict_object(space, present);
     document["present"]["quiet"] = advice::is_quiet(present);
@@ -300,12 +292,10 @@ std::string advice_json(const Advice& advice) {
     Json document = json_parts::opening("advice", space.base);
     document["units"] = json_parts::case_units(space.base);
     add_standing(document, space, advice.present, advice.near);
-    document["margins"] = Json::array();
-    for (const ParameterMargin& margin : advice.margins)
-        document["margins"].push_back(margin_object(space, margin));
-    document["ranking"] = Json::array();
-    for (const std::size_t parameter : advice.ranking)
-        document["ranking"].push_back(space.parameters[parameter].key);
+    document["margins"] =
+        array_of(advice.margins, [&](const ParameterMargin& margin) { return margin_object(space, margin); });
+    document["ranking"] =
+        array_of(advice.ranking, [&](std::size_t parameter) { return space.parameters[parameter].key; });
     document["nearest"] = nearest_object(space, advice.nearest);
     document["change"] =
         advice.recommended ? quieting_object(space, advice.changes[*advice.recommended]) : Json(nullptr);

@@ -18,10 +18,7 @@ Json boundaries_array(const sweep::SweepResult& result) {
     Json array = Json::array();
     for (const sweep::Boundary& boundary : sweep::boundaries(result)) {
         const auto values = [&](double sweep::BoundaryVertex::*member) {
-            Json numbers = Json::array();
-            for (const sweep::BoundaryVertex& vertex : boundary.vertices)
-                numbers.push_back(vertex.*member);
-            return numbers;
+            return array_of(boundary.vertices, [&](const sweep::BoundaryVertex& vertex) { return vertex.*member; });
         };
         array.push_back(
             {{"direction", name_of(parameters::direction_names, result.study.directions[boundary.direction])},
@@ -57,10 +54,7 @@ void put_computed(Json& object, const sweep::SweepResult& result) {
 Json cells_object(const sweep::SweepResult& result) {
     Json object = Json::object();
     const auto put = [&](const std::string& name, const auto& value_of) {
-        Json values = Json::array();
-        for (const sweep::CellVerdict& cell : result.cells)
-            values.push_back(value_of(cell));
-        object[name] = std::move(values);
+        object[name] = array_of(result.cells, value_of);
     };
     const Json nulls(Json::array_t(result.cells.size()));
     put("status", [](const sweep::CellVerdict& cell) { return name_of(sweep::status_names, cell.status); });
@@ -92,19 +86,14 @@ std::string axis_json(const sweep::Axis& axis) {
 std::string chart_json(const sweep::SweepResult& result) {
     const sweep::Study& study = result.study;
     Json document = json_parts::opening("chart", study.base);
-    Json directions = Json::array();
-    for (const parameters::Direction direction : study.directions)
-        directions.push_back(name_of(parameters::direction_names, direction));
+    const auto way = [](parameters::Direction each) { return name_of(parameters::direction_names, each); };
+    const auto start = [](parameters::Initial each) { return name_of(sweep::start_names(), each); };
     document["chart"] = {{"x", axis_object(study.x)},
                          {"y", axis_object(study.y)},
-                         {"directions", std::move(directions)},
+                         {"directions", array_of(study.directions, way)},
                          {"quantities", study.quantities},
                          {"refine", study.refine}};
-    if (!study.starts.empty()) {
-        Json& starts = document["chart"]["starts"] = Json::array();
-        for (const parameters::Initial start : study.starts)
-            starts.push_back(name_of(sweep::start_names(), start));
-    }
+    if (!study.starts.empty()) document["chart"]["starts"] = array_of(study.starts, start);
     document["shape"] = {{"direction", study.directions.size()}, {"y", study.y.points}, {"x", study.x.points}};
     document["cells"] = cells_object(result);
     document["boundaries"] = boundaries_array(result);

@@ -206,12 +206,13 @@ std::string lacking_text(const sweep::ChartState& state, std::size_t count) {
 }
 
 std::string status_json(const sweep::Study& study, const sweep::ChartState& state) {
-    Json shares = Json::array();
-    for (const StoreState& share : state.shares)
-        shares.push_back(store_object(share));
-    const Json document{{"schema", "stridor.chart-status/1"}, {"refined", study.refine != 0},
-                        {"complete", state.is_merged},        {"cells", {{"done", state.done}, {"known", state.total}}},
-                        {"chart", store_object(state.chart)}, {"shares", shares}};
+    const Json document{
+        {"schema", "stridor.chart-status/1"},
+        {"refined", study.refine != 0},
+        {"complete", state.is_merged},
+        {"cells", {{"done", state.done}, {"known", state.total}}},
+        {"chart", store_object(state.chart)},
+        {"shares", json_parts::array_of(state.shares, [](const auto& each) { return store_object(each); })}};
     return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

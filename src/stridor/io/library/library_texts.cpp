@@ -21,10 +21,9 @@ using noise_library::RankCorrelation;
 using noise_library::Sensitivity;
 
 Json opening_of(std::string_view what, const std::filesystem::path& library) {
-    return {{"schema", "stridor." + std::string(what) + "/1"},
-            {"version", base::version()},
-            {"commit", base::commit()},
-            {"library", library.string()}};
+    Json document = json_parts::opening(what);
+    document["library"] = library.string();
+    return document;
 }
 
 Json figures_object(std::span<const Figure> figures) {
@@ -62,14 +61,13 @@ Json counts_object(std::span<const CategoryCount> counts) {
 }
 
 Json records_array(const Sensitivity& sensitivity) {
-    Json records = Json::array();
-    for (const Observation& record : sensitivity.records)
-        records.push_back({{"id", record.id},
-                           {sensitivity.quantity, record.quantity},
-                           {"category", base::text_or_null(record.category)},
-                           {"level", record.level},
-                           {"dominant_frequency", record.frequency}});
-    return records;
+    return json_parts::array_of(sensitivity.records, [&](const Observation& record) -> Json {
+        return {{"id", record.id},
+                {sensitivity.quantity, record.quantity},
+                {"category", base::text_or_null(record.category)},
+                {"level", record.level},
+                {"dominant_frequency", record.frequency}};
+    });
 }
 
 }  // namespace

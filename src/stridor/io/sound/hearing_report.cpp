@@ -70,9 +70,7 @@ Json sound_object(const HeardSound& sound) {
 }
 
 Json chart_object(const HeardChart& chart) {
-    Json directions = Json::array();
-    for (const parameters::Direction direction : chart.study.directions)
-        directions.push_back(word(direction));
+    const auto direction_word = [](parameters::Direction direction) { return word(direction); };
     std::size_t failed = 0;
     for (const HeardSound& sound : chart.sounds)
         failed += sound.cell.status == sweep::Status::done ? 0 : 1;
@@ -83,7 +81,7 @@ Json chart_object(const HeardChart& chart) {
             {"case", json_parts::case_object(chart.study.base)},
             {"x", json_parts::axis_object(chart.study.x)},
             {"y", json_parts::axis_object(chart.study.y)},
-            {"directions", std::move(directions)},
+            {"directions", json_parts::array_of(chart.study.directions, direction_word)},
             {"cells", chart.sounds.size()},
             {"failed", failed},
             {"tables", tables_object([&](Half half) { return hearing::confusion(chart.sounds, half); })}};
@@ -105,9 +103,8 @@ Json perturbations_array(const HearingReport& report) {
 }
 
 Json recording_object(const hearing::HeardRecording& recording) {
-    Json accepted = Json::array();
-    for (const Category category : recording.expectation.categories)
-        accepted.push_back(word(category));
+    Json accepted =
+        json_parts::array_of(recording.expectation.categories, [](Category category) { return word(category); });
     return {{"file", recording.expectation.file},     {"expected", recording.expectation.words},
             {"accepted", std::move(accepted)},        {"by_ear", word(recording.heard)},
             {"is_right", is_right(recording)},        {"reason", recording.reason},
@@ -116,34 +113,26 @@ Json recording_object(const hearing::HeardRecording& recording) {
 }
 
 Json score_object(const hearing::RecordingScore& score) {
-    Json shares = Json::array();
-    for (const hearing::RightShare& share : score.shares)
-        shares.push_back({{"what", share.what},
-                          {"right", share.right},
-                          {"count", share.count},
-                          {"low", share.low},
-                          {"high", share.high}});
-    Json rows = Json::array();
-    for (const hearing::HeardRow& row : score.rows) {
-        Json heard = Json::object();
-        for (std::size_t k = 0; k < row.heard.size(); ++k)
-            heard[std::string(classification::category_names[k])] = row.heard[k];
-        rows.push_back({{"expected", row.expected}, {"by_ear", std::move(heard)}});
-    }
-    Json bins = Json::array();
-    for (const hearing::CalibrationBin& bin : score.bins)
-        bins.push_back({{"from", bin.from},
-                        {"to", bin.to},
-                        {"count", bin.count},
-                        {"right", bin.right},
-                        {"probability", bin.probability}});
-    Json decided = Json::array();
-    for (const hearing::AbstentionPoint& point : score.decided)
-        decided.push_back({{"probability", point.probability}, {"decided", point.decided}, {"right", point.right}});
-    return {{"shares", std::move(shares)},
-            {"rows", std::move(rows)},
-            {"calibration", std::move(bins)},
-            {"abstention", std::move(decided)}};
+    const auto share = [](const hearing::RightShare& of) -> Json {
+        return {{"what", of.what}, {"right", of.right}, {"count", of.count}, {"low", of.low}, {"high", of.high}};
+    };
+    const auto row = [](const hearing::HeardRow& of) -> Json {
+        return {{"expected", of.expected}, {"by_ear", json_parts::named(classification::category_names, of.heard)}};
+    };
+    const auto bin = [](const hearing::CalibrationBin& of) -> Json {
+        return {{"from", of.from},
+                {"to", of.to},
+                {"count", of.count},
+                {"right", of.right},
+                {"probability", of.probability}};
+    };
+    const auto point = [](const hearing::AbstentionPoint& of) -> Json {
+        return {{"probability", of.probability}, {"decided", of.decided}, {"right", of.right}};
+    };
+    return {{"shares", json_parts::array_of(score.shares, share)},
+            {"rows", json_parts::array_of(score.rows, row)},
+            {"calibration", json_parts::array_of(score.bins, bin)},
+            {"abstention", json_parts::array_of(score.decided, point)}};
 }
 
 std::vector<TableColumn> columns() {
@@ -222,19 +211,15 @@ Confusion perturbed_confusion(const HearingReport& report, std::optional<std::si
 }
 
 std::string hearing_json(const HearingReport& report) {
-    Json document{{"schema", "stridor.evaluate/1"}, {"version", base::version()}, {"commit", base::commit()}};
-    Json cases = Json::array();
-    for (const hearing::HeardCase& heard : report.cases)
-        cases.push_back({{"case", heard.name},
-                         {"going", sound_object(heard.phases[0])},
-                         {"coming", sound_object(heard.phases[1])},
-                         {"whole", {{"by_ear", word(heard.whole)}, {"reason", heard.reason}}}});
-    document["table_1"] = std::move(cases);
+    Json document = json_parts::opening("evaluate");
+    document["table_1"] = json_parts::array_of(report.cases, [](const hearing::HeardCase& heard) -> Json {
+        return {{"case", heard.name},
+                {"going", sound_object(heard.phases[0])},
+                {"coming", sound_object(heard.phases[1])},
+                {"whole", {{"by_ear", word(heard.whole)}, {"reason", heard.reason}}}};
+    });
     if (!report.charts.empty()) {
-        Json charts = Json::array();
-        for (const HeardChart& chart : report.charts)
-            charts.push_back(chart_object(chart));
-        document["charts"] = std::move(charts);
+        document["charts"] = json_parts::array_of(report.charts, [](const auto& each) { return chart_object(each); });
         document["tables"] = tables_object([&](Half half) { return confusion(report, half); });
         document["sets"] = sets_object(report);
         document["perturb_every"] = report.options.perturb_every;
@@ -243,10 +228,8 @@ std::string hearing_json(const HearingReport& report) {
             document["perturbed"] = perturbations_array(report);
         }
     }
-    Json recordings = Json::array();
-    for (const hearing::HeardRecording& recording : report.recordings)
-        recordings.push_back(recording_object(recording));
-    document["recordings"] = std::move(recordings);
+    document["recordings"] =
+        json_parts::array_of(report.recordings, [](const auto& each) { return recording_object(each); });
     if (!report.recordings.empty()) document["score"] = score_object(hearing::score_of(report.recordings));
     document["thresholds"] = json_parts::thresholds_object(report.options.settings.thresholds);
     return base::text_of(document);

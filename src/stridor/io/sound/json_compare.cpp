@@ -13,10 +13,6 @@ using classification::ComparedSound;
 using classification::FigureDifference;
 using classification::Likeness;
 
-Json opening(const char* schema) {
-    return {{"schema", schema}, {"version", base::version()}, {"commit", base::commit()}};
-}
-
 Json figures_object(const ComparedSound& sound) {
     Json object = Json::object();
     for (const ComparedFigure& figure : classification::compared_figures())
@@ -25,24 +21,19 @@ Json figures_object(const ComparedSound& sound) {
 }
 
 Json contact_array(const ComparedSound& sound) {
-    Json phases = Json::array();
-    for (const classification::Verdict& verdict : sound.contact.verdicts) {
+    return json_parts::array_of(sound.contact.verdicts, [](const classification::Verdict& verdict) -> Json {
         const analysis::Evidence& evidence = verdict.evidence;
-        phases.push_back({{"phase", record::phase_names[static_cast<std::size_t>(evidence.phase)]},
-                          {"category", classification::name(verdict.category)},
-                          {"slip", evidence.rates.slip},
-                          {"stick", evidence.rates.stick},
-                          {"separation", evidence.rates.separation},
-                          {"regularity", evidence.alternation.regularity},
-                          {"frequency", evidence.alternation.frequency}});
-    }
-    return phases;
+        return {{"phase", record::phase_names[static_cast<std::size_t>(evidence.phase)]},
+                {"category", classification::name(verdict.category)},
+                {"slip", evidence.rates.slip},
+                {"stick", evidence.rates.stick},
+                {"separation", evidence.rates.separation},
+                {"regularity", evidence.alternation.regularity},
+                {"frequency", evidence.alternation.frequency}};
+    });
 }
 
 Json sound_object(const ComparedSound& sound) {
-    Json shares = Json::object();
-    for (std::size_t k = 0; k < sound.heard.shares.size(); ++k)
-        shares[std::string(classification::category_names[k])] = sound.heard.shares[k];
     return {{"name", sound.name},
             {"label", sound.label},
             {"origin", sound.origin},
@@ -53,22 +44,17 @@ Json sound_object(const ComparedSound& sound) {
             {"unit", sound.analysis.unit},
             {"level_unit", signal::level_unit(sound.analysis.unit)},
             {"category", classification::name(sound.heard.category)},
-            {"shares", std::move(shares)},
+            {"shares", json_parts::named(classification::category_names, sound.heard.shares)},
             {"reasons", sound.heard.reasons},
             {"contact", contact_array(sound)},
             {"figures", figures_object(sound)}};
 }
 
 Json differences_array(const Likeness& likeness) {
-    Json array = Json::array();
-    for (const FigureDifference& each : likeness.differences)
-        array.push_back({{"figure", each.name},
-                         {"unit", each.unit},
-                         {"first", each.first},
-                         {"second", each.second},
-                         {"steps", each.steps},
-                         {"share", each.share}});
-    return array;
+    return json_parts::array_of(likeness.differences, [](const FigureDifference& each) -> Json {
+        return {{"figure", each.name},   {"unit", each.unit},   {"first", each.first},
+                {"second", each.second}, {"steps", each.steps}, {"share", each.share}};
+    });
 }
 
 Json figure_units() {
@@ -102,10 +88,8 @@ Json match_object(const MatchReport& report, const hearing::SoundMatch& match) {
 }  // namespace
 
 std::string compare_json(std::span<const ComparedSound> sounds) {
-    Json document = opening("stridor.compare/1");
-    Json list = Json::array();
-    for (const ComparedSound& sound : sounds)
-        list.push_back(sound_object(sound));
+    Json document = json_parts::opening("compare");
+    document["sounds"] = json_parts::array_of(sounds, [](const auto& each) { return sound_object(each); });
     Json pairs = Json::array();
     for (std::size_t a = 0; a < sounds.size(); ++a)
         for (std::size_t b = a + 1; b < sounds.size(); ++b) {
@@ -116,14 +100,13 @@ std::string compare_json(std::span<const ComparedSound> sounds) {
                              {"distance", is_known ? Json(likeness.distance) : Json()},
                              {"differences", differences_array(likeness)}});
         }
-    document["sounds"] = std::move(list);
     document["pairs"] = std::move(pairs);
     document["units"] = figure_units();
     return base::text_of(document);
 }
 
 std::string match_json(const MatchReport& report) {
-    Json document = opening("stridor.match/1");
+    Json document = json_parts::opening("match");
     document["recording"] = sound_object(report.recording);
     document["chart"] = {{"file", report.chart},
                          {"motion", report.motion},
@@ -134,10 +117,8 @@ std::string match_json(const MatchReport& report) {
                          {"ruled_out", report.result.ruled_out},
                          {"extent", report.extent == hearing::SearchExtent::every ? "every" : "search"},
                          {"level", report.level == classification::LevelUse::counted ? "counted" : "ignored"}};
-    Json matches = Json::array();
-    for (const hearing::SoundMatch& match : report.result.best)
-        matches.push_back(match_object(report, match));
-    document["matches"] = std::move(matches);
+    document["matches"] = json_parts::array_of(
+        report.result.best, [&](const hearing::SoundMatch& match) { return match_object(report, match); });
     document["units"] = figure_units();
     return base::text_of(document);
 }

@@ -20,10 +20,11 @@ using base::text_of;
 using sound::SoundAnalysis;
 using sound::SoundFeatures;
 
-Json opening(const char* schema, const SoundReport& report) {
-    return {
-        {"schema", schema},        {"version", base::version()}, {"commit", base::commit()},     {"file", report.file},
-        {"format", report.format}, {"notes", report.notes},      {"channel", report.loudest + 1}};
+Json opening(std::string_view what, const SoundReport& report) {
+    Json document = json_parts::opening(what);
+    document.update(Json{
+        {"file", report.file}, {"format", report.format}, {"notes", report.notes}, {"channel", report.loudest + 1}});
+    return document;
 }
 
 Json features_object(const SoundFeatures& f, double reference) {
@@ -53,9 +54,6 @@ Json segment_object(const classification::SoundSegment& segment, double referenc
 }
 
 Json passage_object(const classification::HeardPassage& passage) {
-    Json probabilities = Json::object();
-    for (std::size_t k = 0; k < classification::heard_names.size(); ++k)
-        probabilities[std::string(classification::heard_names[k])] = passage.ear.probabilities[k];
     Json figures = Json::object();
     Json reasons = Json::object();
     for (std::size_t k = 0; k < classification::ear_figure_count; ++k) {
@@ -67,27 +65,22 @@ Json passage_object(const classification::HeardPassage& passage) {
             {"to", passage.to},
             {"category", classification::name(passage.category)},
             {"energy", passage.energy},
-            {"probabilities", std::move(probabilities)},
+            {"probabilities", json_parts::named(classification::heard_names, passage.ear.probabilities)},
             {"figures", std::move(figures)},
             {"reasons", std::move(reasons)}};
 }
 
 Json verdict_object(const classification::RecordingVerdict& verdict, double reference) {
-    Json shares = Json::object();
-    for (std::size_t k = 0; k < verdict.shares.size(); ++k)
-        shares[std::string(classification::category_names[k])] = verdict.shares[k];
-    Json segments = Json::array();
-    for (const classification::SoundSegment& segment : verdict.segments)
-        segments.push_back(segment_object(segment, reference));
+    Json segments = json_parts::array_of(verdict.segments, [&](const classification::SoundSegment& segment) {
+        return segment_object(segment, reference);
+    });
     Json object{{"category", classification::name(verdict.category)},
-                {"shares", std::move(shares)},
+                {"shares", json_parts::named(classification::category_names, verdict.shares)},
                 {"reasons", verdict.reasons},
                 {"segments", std::move(segments)}};
     if (verdict.passages.empty()) return object;  // by the rules
     object["probability"] = verdict.probability;
-    Json& passages = object["passages"] = Json::array();
-    for (const classification::HeardPassage& passage : verdict.passages)
-        passages.push_back(passage_object(passage));
+    object["passages"] = json_parts::array_of(verdict.passages, [](const auto& each) { return passage_object(each); });
     return object;
 }
 
@@ -109,45 +102,40 @@ Json units_object() {
 }
 
 Json bands_array(const std::vector<signal::Band>& bands, double reference) {
-    Json array = Json::array();
-    for (const signal::Band& band : bands)
-        array.push_back({{"centre", band.nominal},
-                         {"low", band.low},
-                         {"high", band.high},
-                         {"level", signal::level_of(band.mean_square, reference)}});
-    return array;
+    return json_parts::array_of(bands, [&](const signal::Band& band) -> Json {
+        return {{"centre", band.nominal},
+                {"low", band.low},
+                {"high", band.high},
+                {"level", signal::level_of(band.mean_square, reference)}};
+    });
 }
 
 Json spectrum_object(const SoundAnalysis& analysis, double reference) {
-    Json levels = Json::array();
-    for (const double square : signal::line_squares(analysis.spectrum))
-        levels.push_back(signal::level_of(square, reference));
-    Json peaks = Json::array();
-    for (const signal::SpectrumPeak& peak : signal::strongest_peaks(analysis.spectrum))
-        peaks.push_back({{"frequency", peak.frequency},
-                         {"level", signal::level_of(peak.mean_square, reference)},
-                         {"prominence", peak.prominence}});
+    const auto level = [&](double mean_square) { return signal::level_of(mean_square, reference); };
+    const auto peak_object = [&](const signal::SpectrumPeak& peak) -> Json {
+        return {{"frequency", peak.frequency}, {"level", level(peak.mean_square)}, {"prominence", peak.prominence}};
+    };
     return {{"spacing", analysis.spectrum.spacing},
             {"noise_bandwidth", analysis.spectrum.bandwidth},
             {"frames", analysis.spectrum.frames},
             {"window", "hann"},
-            {"peaks", std::move(peaks)},
-            {"levels", std::move(levels)}};
+            {"peaks", json_parts::array_of(signal::strongest_peaks(analysis.spectrum), peak_object)},
+            {"levels", json_parts::array_of(signal::line_squares(analysis.spectrum), level)}};
 }
 
 Json named_bands(const SoundAnalysis& analysis, double reference) {
     const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
-    Json array = Json::array();
-    for (const signal::NamedBand& band : signal::named_bands)
-        array.push_back(
-            {{"name", band.name},
-             {"source", band.source},
-             {"low", band.low},
-             {"high", band.high},
-             {"level",
-              signal::level_of(signal::mean_square_between(analysis.spectrum, band.low, band.high), reference)},
-             {"level_a", signal::level_of(signal::mean_square_between(weighted, band.low, band.high), reference)}});
-    return array;
+    return json_parts::array_of(signal::named_bands, [&](const signal::NamedBand& band) -> Json {
+        const auto level = [&](const signal::Spectrum& spectrum) {
+            return signal::level_of(signal::mean_square_between(spectrum, band.low, band.high), reference);
+        };
+        return {{"name", band.name},
+                {"source", band.source},
+                {"low", band.low},
+                {"high", band.high},
+                {"level", level(analysis.spectrum)},
+                {"level_a", level(weighted)}};
+    });
 }
 
 Json quality_object(const SoundAnalysis& analysis, double reference) {
@@ -217,7 +205,7 @@ Json segments_array(const RecordingVerdict& verdict, double reference) {
 }  // namespace
 
 std::string classify_json(const SoundReport& report) {
-    Json document = opening("stridor.classify/1", report);
+    Json document = opening("classify", report);
     document["category"] = classification::name(report.verdicts[report.loudest].category);
     Json channels = Json::array();
     for (std::size_t k = 0; k < report.channels.size(); ++k) {
@@ -232,7 +220,7 @@ std::string classify_json(const SoundReport& report) {
 }
 
 std::string analyse_json(const SoundReport& report) {
-    Json document = opening("stridor.analyse/1", report);
+    Json document = opening("analyse", report);
     Json channels = Json::array();
     for (std::size_t k = 0; k < report.channels.size(); ++k) {
         const SoundAnalysis& analysis = report.channels[k];
@@ -268,9 +256,7 @@ std::string verdict_json(const SoundReport& report, std::size_t channel,
                   {"name", analysis.name},
                   {"unit", analysis.unit},
                   {"category", classification::name(verdict.category)}};
-    Json& shares = document["shares"] = Json::object();
-    for (std::size_t k = 0; k < verdict.shares.size(); ++k)
-        shares[std::string(classification::category_names[k])] = verdict.shares[k];
+    document["shares"] = json_parts::named(classification::category_names, verdict.shares);
     if (verdict.probability > 0.0) document["probability"] = verdict.probability;
     document["reasons"] = verdict.reasons;
     Json& kept = document["figures"] = Json::object();

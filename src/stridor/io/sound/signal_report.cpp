@@ -86,7 +86,7 @@ std::string_view name(recordings::Calibration calibration) {
 
 std::string convert_json(const SignalSummary& summary, const std::optional<SignalOutput>& output) {
     const std::uint64_t frames = summary.layout.frames.value_or(0);
-    Json document{{"schema", "stridor.convert/1"}, {"version", base::version()}, {"commit", base::commit()}};
+    Json document = json_parts::opening("convert");
     document["file"] = summary.facts.name;
     document["format"] = summary.facts.format;
     document["rate"] = summary.layout.rate;

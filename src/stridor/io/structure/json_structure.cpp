@@ -1,23 +1,14 @@
 #include "stridor/io/structure/json_structure.hpp"
 
-#include "stridor/base/version.hpp"
 #include "stridor/io/json_parts.hpp"
 
 namespace stridor::io {
 
-namespace {
-
 using base::Json;
-
-Json head_of(const char* schema) {
-    return {{"schema", schema}, {"version", base::version()}, {"commit", base::commit()}};
-}
-
-}  // namespace
 
 std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
                       const reduction::PartVibration* vibration, const reduction::PartContacts* contacts) {
-    Json document = head_of("stridor.part/1");
+    Json document = json_parts::opening("part");
     document["rows"] = size.rows;
     document["entries"] = size.entries;
     document["damping"] = part.damping.rows() != 0;
@@ -43,7 +34,7 @@ std::string part_json(const reduction::ElasticPart& part, const reduction::PartS
 }
 
 std::string reduction_json(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors) {
-    Json document = head_of("stridor.reduction/1");
+    Json document = json_parts::opening("reduction");
     document["boundary_rows"] = reduction.boundary_rows;
     document["mode_frequencies"] = reduction.mode_frequencies;
     document["method"] = name_of(reduction.method);
@@ -52,12 +43,10 @@ std::string reduction_json(const reduction::Reduction& reduction, const reductio
     document["coupling"] = errors.coupling;
     document["flexibility_error"] = errors.flexibility ? Json(*errors.flexibility) : Json();
     Json states = Json::object();
-    for (const reduction::StateErrors& state : errors.states) {
-        Json pairs = Json::array();
-        for (const reduction::FrequencyPair& pair : state.frequencies)
-            pairs.push_back({{"full", pair.full}, {"reduced", pair.reduced}, {"error", relative_error(pair)}});
-        states[state.name] = std::move(pairs);
-    }
+    for (const reduction::StateErrors& state : errors.states)
+        states[state.name] = json_parts::array_of(state.frequencies, [](const reduction::FrequencyPair& pair) -> Json {
+            return {{"full", pair.full}, {"reduced", pair.reduced}, {"error", relative_error(pair)}};
+        });
     document["states"] = std::move(states);
     return base::text_of(document);
 }
