@@ -1,11 +1,6 @@
 /** What the server sends of one design when a view asks: stability, sounds, advice, recordings, refusals. */
-import type { Category, Direction, Phase, Scale, StabilityKind, VerdictWord } from "../program/words.ts";
+import type { Category, Direction, Mode, Phase, Scale, StabilityKind, VerdictWord } from "../program/words.ts";
 import type { Case, Document, Ranges, Units } from "./types.ts";
-
-export interface Mode {
-  growth: number;
-  frequency: number;
-}
 
 /** Steady sliding with one value of what is varied. */
 export interface SlidingStability {

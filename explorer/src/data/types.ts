@@ -3,15 +3,21 @@
  * whether the page reads it or not. tests/browser/answers.test.mjs holds real answers against them.
  */
 import type {
+  CarriedLoad,
   Category,
   ContactState,
   Direction,
   Ending,
+  Energy,
   FigureName,
+  LimitCycle,
   OwnContact,
   Phase,
   QuietReason,
+  Rates,
+  RunEnding,
   Scale,
+  Silence,
 } from "../program/words.ts";
 import type { Axis } from "../state/state.ts";
 
@@ -98,12 +104,6 @@ export interface Start {
   library: boolean;
 }
 
-export interface Rates {
-  slip: number;
-  stick: number;
-  separation: number;
-}
-
 export interface Margin {
   threshold: string;
   figure: string;
@@ -156,13 +156,7 @@ export interface ContactResult {
 
 /** Contacts that are judged as a whole. */
 export interface InterfaceResult {
-  contacts: {
-    name: string;
-    normal_force: number;
-    load_share: number;
-    friction_power: number;
-    is_loaded: boolean;
-  }[];
+  contacts: ({ name: string } & CarriedLoad)[];
   rates: { sticks: number; partly: number; slides: number; open: number };
   free_together: number | null; // none where no contact makes a noise
   leading: string;
@@ -195,27 +189,9 @@ export interface Engine {
 export interface Outcome {
   reason: Ending;
   time: number;
-  silence?: { time: number; normal_force: number; slip_velocity: number };
-  limit_cycle?: { time: number; period: number; residual: number; events: number };
-  ending: {
-    state: ContactState;
-    since: number;
-    future: string;
-    release: number | null;
-    growth: number | null;
-    grown: number | null;
-  };
-}
-
-export interface Energy {
-  stored: number;
-  preload_work: number;
-  drive_work: number;
-  dashpot_loss: number;
-  friction_loss: number;
-  impact_loss: number;
-  residual: number;
-  relative_residual: number;
+  silence?: Silence;
+  limit_cycle?: LimitCycle;
+  ending: RunEnding;
 }
 
 export interface Simulation extends Document {

@@ -115,3 +115,91 @@ export interface OwnContact {
   /** How far along the line of contacts that is [m], where all are known and differ. */
   along_line?: number;
 }
+
+/** Shares of the time in each state of a contact. */
+export interface Rates {
+  /** share of the time in slip [1] */
+  slip: number;
+  /** share of the time in stick [1] */
+  stick: number;
+  /** share of the time in separation [1] */
+  separation: number;
+}
+
+/** What is proven of a contact that slides for ever. */
+export interface Silence {
+  /** from when on [s] */
+  time: number;
+  /** what the normal force never falls below [N] */
+  normal_force: number;
+  /** what the magnitude of the slip velocity never falls below [m/s] */
+  slip_velocity: number;
+}
+
+/** A motion that repeats itself. */
+export interface LimitCycle {
+  /** when the second of two equal periods ended [s] */
+  time: number;
+  /** of the motion [s] */
+  period: number;
+  /** distance of the states one period apart, as a share of the velocities [1] */
+  residual: number;
+  /** changes of state or of the slip's direction, and impacts, per period */
+  events: number;
+}
+
+/** How a run ends, and how it would go on. */
+export interface RunEnding {
+  /** the last one of the first contact */
+  state: ContactState;
+  /** when it entered that [s] */
+  since: number;
+  /** what is known of the time after the run */
+  future: string;
+  /** about when a contact that sticks will slip [s] */
+  release: number | null;
+  /** of a small disturbance of sliding that does not last [1/s] */
+  growth: number | null;
+  /** about when that ends the sliding [s] */
+  grown: number | null;
+}
+
+/** The energy balance of a run. */
+export interface Energy {
+  /** change of kinetic and elastic energy [J] */
+  stored: number;
+  /** work of the constant load [J] */
+  preload_work: number;
+  /** work of the drive [J] */
+  drive_work: number;
+  /** what the dampers took [J] */
+  dashpot_loss: number;
+  /** what friction took [J] */
+  friction_loss: number;
+  /** what impacts took [J] */
+  impact_loss: number;
+  /** what is left over [J] */
+  residual: number;
+  /** that as a share of all energy that went in or out [1] */
+  relative_residual: number;
+}
+
+/** What one contact of an interface carries. */
+export interface CarriedLoad {
+  /** mean of the normal force [N] */
+  normal_force: number;
+  /** of the load of the interface [1] */
+  load_share: number;
+  /** mean of what friction takes [W] */
+  friction_power: number;
+  /** enough for a verdict */
+  is_loaded: boolean;
+}
+
+/** A mode of steady sliding. */
+export interface Mode {
+  /** real part of the eigenvalue [1/s] */
+  growth: number;
+  /** 0 of a real eigenvalue [Hz] */
+  frequency: number;
+}

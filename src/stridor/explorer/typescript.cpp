@@ -6,6 +6,7 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/text.hpp"
 #include "stridor/integration/run/motion.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/contact_field.hpp"
@@ -153,6 +154,20 @@ WordList figure_names() {
     return names;
 }
 
+// a type for each record of documents that the program describes
+std::string record_types() {
+    std::string lines;
+    for (const io::DescribedRecord& record : io::simulation_records()) {
+        lines += fmt::format("\n/** {} */\nexport interface {} {{\n", record.sentence, record.name);
+        for (const io::DescribedMember& member : record.members) {
+            const std::string unit = member.unit.empty() ? "" : fmt::format(" [{}]", member.unit);
+            lines += fmt::format("  /** {}{} */\n  {}: {};\n", member.sentence, unit, member.key, member.type);
+        }
+        lines += "}\n";
+    }
+    return lines;
+}
+
 // what case documents show of a contact of [structure]; what the case says for all, and numbers, are always there
 std::string contact_type() {
     std::string lines =
@@ -200,7 +215,7 @@ std::string words() {
            words_as_type("How steady sliding answers to a small push.", "stabilityKinds", "StabilityKind",
                          words_of(analysis::stability_names)) +
            words_as_type("What is known of a cell in numbers.", "figureNames", "FigureName", figure_names()) +
-           contact_type();
+           contact_type() + record_types();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 2> typescript_names{"palette", "wo
 /// Returns one of `typescript_names`, as its file holds it and in prettier's layout.
 ///
 /// - "palette": the fills of categories, the colours of contact states, the stops of the map of figures.
-/// - "words": the words of answers and requests, as types and as lists.
+/// - "words": the words that answers and requests are made of, as types and as lists, and the types of their records.
 std::string typescript(std::string_view name);
 
 }  // namespace stridor::explorer

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/json_members.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -28,68 +30,67 @@ Json coefficient(const analysis::MeasuredCoefficient& c) {
     return {{"value", c.value}, {"uncertainty", c.uncertainty}, {"count", c.count}};
 }
 
-Json figures_object(const analysis::FrictionFigures& figures) {
-    const char* direction = figures.direction == 0 ? "all" : figures.direction > 0 ? "going" : "coming";
-    return {{"direction", direction},
-            {"static_friction", coefficient(figures.static_friction)},
-            {"kinetic_friction", coefficient(figures.kinetic_friction)},
-            {"kinetic_source",
-             json_parts::name_of<analysis::KineticSource>(analysis::kinetic_source_names, figures.source)},
-            {"mean_friction", figures.mean_friction},
-            {"moving_time", figures.moving_time},
-            {"distance", figures.distance},
-            {"drops", figures.drops},
-            {"drop_rate", figures.drop_rate},
-            {"mean_drop", figures.mean_drop},
-            {"largest_drop", figures.largest_drop},
-            {"interval_variation", figures.variation}};
-}
+using analysis::ForceDrop;
+using analysis::FrictionFigures;
+
+constexpr auto test_members = std::to_array<Member<FrictionTest>>({
+    {{"file"}, [](const FrictionTest& test) -> Json { return test.file; }},
+    {{"channel"}, [](const FrictionTest& test) { return base::text_or_null(test.channel); }},
+    {{"velocity_channel"}, [](const FrictionTest& test) { return base::text_or_null(test.velocity_channel); }},
+    {{"normal_channel"}, [](const FrictionTest& test) { return base::text_or_null(test.normal_channel); }},
+    {{"rate", "Hz"}, &FrictionTest::rate},
+    {{"duration", "s"}, &FrictionTest::duration},
+    {{"preload", "N"}, &FrictionTest::preload},
+    {{"velocity", "m/s"}, &FrictionTest::velocity},
+    {{"condition"}, [](const FrictionTest& test) { return base::text_or_null(test.condition); }},
+});
+
+constexpr auto figure_members = std::to_array<Member<FrictionFigures>>({
+    {{"direction"},
+     [](const FrictionFigures& figures) -> Json {
+         return figures.direction == 0 ? "all" : figures.direction > 0 ? "going" : "coming";
+     }},
+    {{"static_friction", "1"}, [](const FrictionFigures& figures) { return coefficient(figures.static_friction); }},
+    {{"kinetic_friction", "1"}, [](const FrictionFigures& figures) { return coefficient(figures.kinetic_friction); }},
+    {{"kinetic_source"},
+     [](const FrictionFigures& figures) -> Json {
+         return json_parts::name_of<analysis::KineticSource>(analysis::kinetic_source_names, figures.source);
+     }},
+    {{"mean_friction", "1"}, &FrictionFigures::mean_friction},
+    {{"moving_time", "s"}, &FrictionFigures::moving_time},
+    {{"distance", "m"}, &FrictionFigures::distance},
+    {{"drops"}, [](const FrictionFigures& figures) -> Json { return figures.drops; }},
+    {{"drop_rate", "1/s"}, &FrictionFigures::drop_rate},
+    {{"mean_drop", "N"}, &FrictionFigures::mean_drop},
+    {{"largest_drop", "N"}, &FrictionFigures::largest_drop},
+    {{"interval_variation", "1"}, &FrictionFigures::variation},
+});
+
+constexpr auto drop_members = std::to_array<Member<ForceDrop>>({
+    {{"time", "s"}, &ForceDrop::time},
+    {{"duration", "s"}, &ForceDrop::duration},
+    {{"from", "N"}, &ForceDrop::from},
+    {{"to", "N"}, &ForceDrop::to},
+    {{"direction"}, [](const ForceDrop& drop) -> Json { return drop.direction > 0 ? "going" : "coming"; }},
+});
 
 }  // namespace
 
 std::string friction_json(const FrictionTest& test, const analysis::FrictionTrace& trace) {
-    Json document = {{"schema", "stridor.friction/1"}, {"version", base::version()}, {"commit", base::commit()}};
-    document["test"] = {{"file", test.file},
-                        {"channel", base::text_or_null(test.channel)},
-                        {"velocity_channel", base::text_or_null(test.velocity_channel)},
-                        {"normal_channel", base::text_or_null(test.normal_channel)},
-                        {"rate", test.rate},
-                        {"duration", test.duration},
-                        {"preload", test.preload},
-                        {"velocity", test.velocity},
-                        {"condition", base::text_or_null(test.condition)}};
-    document["all"] = figures_object(trace.all);
-    document["directions"] = Json::array();
-    for (const analysis::FrictionFigures& figures : trace.directions)
-        document["directions"].push_back(figures_object(figures));
-    document["drops"] = Json::array();
-    for (const analysis::ForceDrop& drop : trace.drops)
-        document["drops"].push_back({{"time", drop.time},
-                                     {"duration", drop.duration},
-                                     {"from", drop.from},
-                                     {"to", drop.to},
-                                     {"direction", drop.direction > 0 ? "going" : "coming"}});
+    Json document = json_parts::opening("friction");
+    document["test"] = object_of(test_members, test);
+    document["all"] = object_of(figure_members, trace.all);
+    document["directions"] = objects_of(figure_members, trace.directions);
+    document["drops"] = objects_of(drop_members, trace.drops);
     document["noise"] = trace.noise;
     document["threshold"] = trace.threshold;
     document["notes"] = trace.notes;
-    document["units"] = {{"rate", "Hz"},
-                         {"duration", "s"},
-                         {"preload", "N"},
-                         {"velocity", "m/s"},
-                         {"static_friction", "1"},
-                         {"kinetic_friction", "1"},
-                         {"mean_friction", "1"},
-                         {"moving_time", "s"},
-                         {"distance", "m"},
-                         {"drop_rate", "1/s"},
-                         {"mean_drop", "N"},
-                         {"largest_drop", "N"},
-                         {"interval_variation", "1"},
-                         {"time", "s"},
-                         {"from", "N"},
-                         {"to", "N"},
-                         {"noise", "N"},
-                         {"threshold", "1"}};
+    Json& units = document["units"] = Json::object();
+    put_units(units, "", test_members);
+    put_units(units, "", figure_members);
+    put_units(units, "", drop_members);
+    units["noise"] = "N";
+    units["threshold"] = "1";
     return base::text_of(document);
 }
 

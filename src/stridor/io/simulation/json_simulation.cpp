@@ -3,10 +3,12 @@
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/classification/interface_rules.hpp"
+#include "stridor/io/json_members.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +36,75 @@ Json figure_value(const analysis::EvidenceFigure& figure, const analysis::Eviden
                                                                   : Json(value);
 }
 
-Json rates_object(const analysis::Rates& rates) {
-    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
+using analysis::CarriedLoad;
+using analysis::Eigenmode;
+using analysis::Rates;
+using integration::EnergyBalance;
+using integration::LimitCycle;
+using integration::Silence;
+using record::Ending;
+
+constexpr auto rates_members = std::to_array<Member<Rates>>({
+    {{"slip", "1", "share of the time in slip"}, &Rates::slip},
+    {{"stick", "1", "share of the time in stick"}, &Rates::stick},
+    {{"separation", "1", "share of the time in separation"}, &Rates::separation},
+});
+
+constexpr auto silence_members = std::to_array<Member<Silence>>({
+    {{"time", "s", "from when on"}, &Silence::time},
+    {{"normal_force", "N", "what the normal force never falls below"}, &Silence::normal_force},
+    {{"slip_velocity", "m/s", "what the magnitude of the slip velocity never falls below"}, &Silence::slip_velocity},
+});
+
+constexpr auto cycle_members = std::to_array<Member<LimitCycle>>({
+    {{"time", "s", "when the second of two equal periods ended"}, &LimitCycle::time},
+    {{"period", "s", "of the motion"}, &LimitCycle::period},
+    {{"residual", "1", "distance of the states one period apart, as a share of the velocities"}, &LimitCycle::residual},
+    {{"events", "", "changes of state or of the slip's direction, and impacts, per period"},
+     [](const LimitCycle& cycle) -> Json { return cycle.events; }},
+});
+
+constexpr auto ending_members = std::to_array<Member<Ending>>({
+    {{"state", "", "the last one of the first contact", "ContactState"},
+     [](const Ending& ending) -> Json { return name_of(model::contact_state_names, ending.state); }},
+    {{"since", "s", "when it entered that"}, &Ending::since},
+    {{"future", "", "what is known of the time after the run", "string"},
+     [](const Ending& ending) -> Json { return name_of(record::future_names, ending.outlook.future); }},
+    {{"release", "s", "about when a contact that sticks will slip", "number | null"},
+     [](const Ending& ending) -> Json { return ending.outlook.release; }},
+    {{"growth", "1/s", "of a small disturbance of sliding that does not last", "number | null"},
+     [](const Ending& ending) -> Json { return ending.outlook.growth; }},
+    {{"grown", "s", "about when that ends the sliding", "number | null"},
+     [](const Ending& ending) -> Json { return ending.outlook.grown; }},
+});
+
+constexpr auto energy_members = std::to_array<Member<EnergyBalance>>({
+    {{"stored", "J", "change of kinetic and elastic energy"}, &EnergyBalance::stored},
+    {{"preload_work", "J", "work of the constant load"}, &EnergyBalance::preload_work},
+    {{"drive_work", "J", "work of the drive"}, &EnergyBalance::drive_work},
+    {{"dashpot_loss", "J", "what the dampers took"}, &EnergyBalance::dashpot_loss},
+    {{"friction_loss", "J", "what friction took"}, &EnergyBalance::friction_loss},
+    {{"impact_loss", "J", "what impacts took"}, &EnergyBalance::impact_loss},
+    {{"residual", "J", "what is left over"}, &EnergyBalance::residual},
+    {{"relative_residual", "1", "that as a share of all energy that went in or out"},
+     [](const EnergyBalance& energy) -> Json { return energy.relative_residual(); }},
+});
+
+constexpr auto load_members = std::to_array<Member<CarriedLoad>>({
+    {{"normal_force", "N", "mean of the normal force"}, &CarriedLoad::normal_force},
+    {{"load_share", "1", "of the load of the interface"}, &CarriedLoad::share},
+    {{"friction_power", "W", "mean of what friction takes"}, &CarriedLoad::friction_power},
+    {{"is_loaded", "", "enough for a verdict", "boolean"},
+     [](const CarriedLoad& load) -> Json { return load.is_loaded; }},
+});
+
+constexpr auto mode_members = std::to_array<Member<Eigenmode>>({
+    {{"growth", "1/s", "real part of the eigenvalue"}, &Eigenmode::growth},
+    {{"frequency", "Hz", "0 of a real eigenvalue"}, &Eigenmode::frequency},
+});
+
+Json rates_object(const Rates& rates) {
+    return object_of(rates_members, rates);
 }
 
 // the figures of the table; beside two of them stands what is no single number
@@ -66,19 +135,13 @@ Json verdict_object(const classification::Verdict& verdict) {
 
 // how the contacts of an interface carry and what they do together
 Json interface_object(const Case& c, const classification::InterfaceVerdict& verdict) {
-    Json contacts = Json::array(), rates = Json::object();
+    Json contacts = Json::array();
     for (std::size_t k = 0; k < verdict.figures.contacts.size(); ++k) {
-        const analysis::CarriedLoad& load = verdict.figures.loads[k];
-        contacts.push_back({{"name", parameters::contact_name(c, verdict.figures.contacts[k])},
-                            {"normal_force", load.normal_force},
-                            {"load_share", load.share},
-                            {"friction_power", load.friction_power},
-                            {"is_loaded", load.is_loaded}});
+        contacts.push_back({{"name", parameters::contact_name(c, verdict.figures.contacts[k])}});
+        contacts.back().update(object_of(load_members, verdict.figures.loads[k]));
     }
-    for (std::size_t state = 0; state < verdict.figures.rates.size(); ++state)
-        rates[std::string(record::interface_state_names[state])] = verdict.figures.rates[state];
     return {{"contacts", std::move(contacts)},
-            {"rates", std::move(rates)},
+            {"rates", named(record::interface_state_names, verdict.figures.rates)},
             {"free_together", verdict.free_together},
             {"leading", parameters::contact_name(c, verdict.whole.evidence.contact)},
             {"differs", verdict.differs},
@@ -126,40 +189,17 @@ Json phase_object(const Case& c, const classification::Verdict& verdict) {
             {"verdict", verdict_object(verdict)}};
 }
 
-Json energy_object(const integration::EnergyBalance& energy) {
-    return {{"stored", energy.stored},
-            {"preload_work", energy.preload_work},
-            {"drive_work", energy.drive_work},
-            {"dashpot_loss", energy.dashpot_loss},
-            {"friction_loss", energy.friction_loss},
-            {"impact_loss", energy.impact_loss},
-            {"residual", energy.residual},
-            {"relative_residual", energy.relative_residual()}};
-}
-
 Json simulation_units(const Case& c) {
     Json units = case_units(c);
-    units.update(Json{{"engine.step", "s"},
-                      {"engine.step_limit", "s"},
-                      {"outcome.time", "s"},
-                      {"outcome.silence.time", "s"},
-                      {"outcome.silence.normal_force", "N"},
-                      {"outcome.silence.slip_velocity", "m/s"},
-                      {"outcome.limit_cycle.time", "s"},
-                      {"outcome.limit_cycle.period", "s"},
-                      {"outcome.limit_cycle.residual", "1"},
-                      {"outcome.ending.since", "s"},
-                      {"outcome.ending.release", "s"},
-                      {"outcome.ending.growth", "1/s"},
-                      {"outcome.ending.grown", "s"},
-                      {"energy", "J"},
-                      {"energy.relative_residual", "1"},
-                      {"phases.window", "s"},
-                      {"phases.interfaces.rates", "1"},
-                      {"phases.interfaces.free_together", "1"},
-                      {"phases.interfaces.contacts.normal_force", "N"},
-                      {"phases.interfaces.contacts.load_share", "1"},
-                      {"phases.interfaces.contacts.friction_power", "W"}});
+    units.update(Json{{"engine.step", "s"}, {"engine.step_limit", "s"}, {"outcome.time", "s"}});
+    put_units(units, "outcome.silence.", silence_members);
+    put_units(units, "outcome.limit_cycle.", cycle_members);
+    put_units(units, "outcome.ending.", ending_members);
+    units["energy"] = "J";
+    put_units(units, "energy.", energy_members, "J");
+    units.update(
+        Json{{"phases.window", "s"}, {"phases.interfaces.rates", "1"}, {"phases.interfaces.free_together", "1"}});
+    put_units(units, "phases.interfaces.contacts.", load_members);
     for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
         if (figure.key == "variation") units["phases.verdict.mismatch"] = "1";
         if (const std::string key = analysis::unit_key(figure); !key.empty())
@@ -174,14 +214,11 @@ Json simulation_units(const Case& c) {
 }
 
 Json stability_object(const parameters::Case& c, const analysis::SlidingStability& stability) {
-    Json modes = Json::array();
-    for (const analysis::Eigenmode& mode : stability.modes)
-        modes.push_back({{"growth", mode.growth}, {"frequency", mode.frequency}});
     Json object{{"kind", name_of(analysis::stability_names, stability.kind)},
                 {"growth", stability.growth},
                 {"frequency", stability.frequency},
                 {"normal_force", stability.normal_force},
-                {"modes", std::move(modes)}};
+                {"modes", objects_of(mode_members, stability.modes)}};
     for (const std::size_t contact : stability.open)
         object["open"].push_back(parameters::contact_name(c, contact));
     return object;
@@ -223,33 +260,30 @@ Json contributions_object(const parameters::Case& c, const analysis::SlidingMode
 Json direction_object(const parameters::Case& c, const analysis::DirectionScan& direction) {
     Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
     object.update(stability_object(c, direction.here));
-    if (direction.modes) {
-        object["contributions"] = Json::array();
-        for (const analysis::SlidingMode& mode : direction.modes->modes)
-            object["contributions"].push_back(contributions_object(c, *direction.modes, mode));
-    }
-    Json points = Json::array();
-    for (const analysis::StabilityPoint& point : direction.path.points) {
+    if (direction.modes)
+        object["contributions"] = array_of(direction.modes->modes, [&](const analysis::SlidingMode& mode) {
+            return contributions_object(c, *direction.modes, mode);
+        });
+    object["points"] = array_of(direction.path.points, [&](const analysis::StabilityPoint& point) {
         Json entry{{"value", point.value}};
         entry.update(stability_object(c, point.stability));
-        points.push_back(std::move(entry));
-    }
-    Json boundaries = Json::array();
-    for (const analysis::StabilityBoundary& boundary : direction.path.boundaries)
-        boundaries.push_back({{"value", boundary.value},
-                              {"below", name_of(analysis::stability_names, boundary.below)},
-                              {"above", name_of(analysis::stability_names, boundary.above)},
-                              {"frequency", boundary.frequency}});
-    object["points"] = std::move(points);
-    object["boundaries"] = std::move(boundaries);
+        return entry;
+    });
+    object["boundaries"] = array_of(direction.path.boundaries, [](const analysis::StabilityBoundary& boundary) -> Json {
+        return {{"value", boundary.value},
+                {"below", name_of(analysis::stability_names, boundary.below)},
+                {"above", name_of(analysis::stability_names, boundary.above)},
+                {"frequency", boundary.frequency}};
+    });
     return object;
 }
 
 // the same names stand at `directions`, in their `points` and in their `modes`
 Json stability_units() {
-    return {{"directions.growth", "1/s"},         {"directions.frequency", "Hz"},
-            {"directions.normal_force", "N"},     {"directions.modes.growth", "1/s"},
-            {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
+    Json units{{"directions.growth", "1/s"}, {"directions.frequency", "Hz"}, {"directions.normal_force", "N"}};
+    put_units(units, "directions.modes.", mode_members);
+    units["directions.boundaries.frequency"] = "Hz";
+    return units;
 }
 
 // what `--modes` adds
@@ -266,28 +300,15 @@ Json contribution_units() {
 
 Json outcome_object(const Case& c, const integration::Motion& motion) {
     Json object{{"reason", name_of(integration::reason_names, motion.outcome.reason)}, {"time", motion.outcome.time}};
-    if (motion.silence)
-        object["silence"] = {{"time", motion.silence->time},
-                             {"normal_force", motion.silence->normal_force},
-                             {"slip_velocity", motion.silence->slip_velocity}};
-    if (motion.cycle)
-        object["limit_cycle"] = {{"time", motion.cycle->time},
-                                 {"period", motion.cycle->period},
-                                 {"residual", motion.cycle->residual},
-                                 {"events", motion.cycle->events}};
+    if (motion.silence) object["silence"] = object_of(silence_members, *motion.silence);
+    if (motion.cycle) object["limit_cycle"] = object_of(cycle_members, *motion.cycle);
     if (motion.massless) object["massless"] = name_of(integration::reason_names, motion.massless->outcome.reason);
     const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
     for (std::size_t k = 0; has_names && k < motion.last_set.size(); ++k)
         object["contacts"].push_back({{"name", parameters::contact_name(c, k)},
                                       {"state", name_of(model::contact_state_names, motion.last_set[k])}});
     if (motion.record.phases.empty()) return object;
-    const record::Ending& ending = motion.record.phases.front().contacts.front().ending;
-    object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
-                        {"since", ending.since},
-                        {"future", name_of(record::future_names, ending.outlook.future)},
-                        {"release", ending.outlook.release},
-                        {"growth", ending.outlook.growth},
-                        {"grown", ending.outlook.grown}};
+    object["ending"] = object_of(ending_members, motion.record.phases.front().contacts.front().ending);
     return object;
 }
 
@@ -309,6 +330,16 @@ Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
 
 }  // namespace
 
+std::vector<DescribedRecord> simulation_records() {
+    return {described("Rates", "Shares of the time in each state of a contact.", rates_members),
+            described("Silence", "What is proven of a contact that slides for ever.", silence_members),
+            described("LimitCycle", "A motion that repeats itself.", cycle_members),
+            described("RunEnding", "How a run ends, and how it would go on.", ending_members),
+            described("Energy", "The energy balance of a run.", energy_members),
+            described("CarriedLoad", "What one contact of an interface carries.", load_members),
+            described("Mode", "A mode of steady sliding.", mode_members)};
+}
+
 std::string case_json(const parameters::Case& c) {
     return base::text_of(case_object(c));
 }
@@ -318,7 +349,7 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
     Json document = opening("simulation", c);
     document["engine"] = engine_object(c, cost);
     document["outcome"] = outcome_object(c, motion);
-    document["energy"] = energy_object(motion.energy);
+    document["energy"] = object_of(energy_members, motion.energy);
     document["phases"] = Json::array();
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
         document["phases"].push_back(phase_object(c, verdicts[k]));
@@ -336,9 +367,9 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
 std::string stability_json(const analysis::StabilityScan& scan) {
     Json document = opening("stability", scan.base);
     if (!scan.key.empty()) document["over"] = {{"parameter", scan.key}, {"unit", scan.unit}};
-    document["directions"] = Json::array();
-    for (const analysis::DirectionScan& direction : scan.directions)
-        document["directions"].push_back(direction_object(scan.base, direction));
+    document["directions"] = array_of(scan.directions, [&](const analysis::DirectionScan& direction) {
+        return direction_object(scan.base, direction);
+    });
     Json units = case_units(scan.base);
     units.update(stability_units());
     if (!scan.directions.empty() && scan.directions.front().modes) units.update(contribution_units());

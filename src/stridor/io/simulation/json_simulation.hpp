@@ -3,6 +3,7 @@
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/io/described_record.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <span>
@@ -27,5 +28,8 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
 /// "stridor.stability/1": case and, per direction, kind, growth, frequency and modes, the same at each point along the
 /// parameter, and the boundaries between kinds.
 std::string stability_json(const analysis::StabilityScan& scan);
+
+/// The records that these documents are made of and whose values have units, for the types of the page.
+std::vector<DescribedRecord> simulation_records();
 
 }  // namespace stridor::io
