@@ -12,8 +12,7 @@
 #include <stop_token>
 #include <vector>
 
-/// The loops of engines with constant steps: spans, samples, and looks at the stop request and at numbers that left
-/// double precision.
+/// What engines with constant steps share: spans, samples, and the comparison with twice the step.
 namespace stridor::integration {
 
 /// Returns the first step that does not begin before a time [s], rounding aside.
@@ -62,31 +61,6 @@ std::optional<Outcome> run_spans(Run& run, const record::Recorder& recorder, dou
         if (const std::optional<Outcome> ended = go_to(step_at(spans[k].to, step), spans[k].use, samples)) return ended;
         const long steps = run.steps() - begin;
         run.end_span(k, steps, steps > 0 ? static_cast<double>(steps) * step : spans[k].to - spans[k].from);
-    }
-    return std::nullopt;
-}
-
-/// Takes a run whose state changes with each step up to a step, with looks every 256 of them. Beside the above it has
-///
-///     bool advance()                       one step; false if no contact forces obey the laws
-///     Outcome without_forces()             what that ends as
-///     void watch(), long watch_every()     adds velocities to those of the span, so often
-///     void sample(), bool samples_behind() samples the step that is next, or the one that is done
-///     void widen_travel(), bool is_finite(), double time()
-template <typename Run>
-std::optional<Outcome> step_to(Run& run, long end, record::Use use, StepSamples& samples, const std::stop_token& stop) {
-    constexpr long steps_between_looks = 256;
-    while (run.steps() < end) {
-        const long n = run.steps();
-        if (n % run.watch_every() == 0 && record::is_judged(use)) run.watch();
-        if (!run.samples_behind() && samples.take(n)) run.sample();
-        if (n % steps_between_looks == 0) {
-            run.widen_travel();
-            if (!run.is_finite()) return Outcome{Reason::diverged, run.time()};
-            if (stop.stop_requested()) return Outcome{Reason::cancelled, run.time()};
-        }
-        if (!run.advance()) return run.without_forces();
-        if (run.samples_behind() && samples.take(n)) run.sample();
     }
     return std::nullopt;
 }

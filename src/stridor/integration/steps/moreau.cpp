@@ -7,20 +7,27 @@
 //
 // A contact that closes has a gap of the size of the step's travel; it is set to zero, and so is every 64 steps what
 // has gathered in closed gaps: q -= n W_nn⁻¹ g over all closed contacts, at right angles under the mass.
+//
+// For the energy balance and the sums of a span, forces are constant in a step, and rates are taken to change evenly in
+// it: the residual of the balance falls with the square of the step where nothing changes its state, and says how well
+// steps resolve the motion.
 
 #include "stridor/integration/steps/moreau.hpp"
 
+#include "stridor/integration/proofs/lasting_set.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/integration/rules/expect_solvable.hpp"
 #include "stridor/integration/run/imposed_motion.hpp"
-#include "stridor/integration/run/step_loop.hpp"
-#include "stridor/integration/steps/moreau_run.hpp"
+#include "stridor/integration/steps/exchange_tableau.hpp"
+#include "stridor/integration/steps/step_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace stridor::integration {
 
@@ -60,92 +67,112 @@ Eigen::MatrixXd normal_part(const Eigen::MatrixXd& compliance) {
     return part;
 }
 
-}  // namespace
+// Moreau's formulation of `run_steps`: a contact force moves velocities, against inertia.
+class MoreauRun {
+public:
+    MoreauRun(const model::Structure& structure, ModalStructure modes, const parameters::Drive& drive,
+              const InitialState& start, double step, record::Recorder& recorder);
 
-double longest_step(const ModalStructure& structure) {
-    const double square = structure.square_frequency.back();
-    return square > 0.0 ? std::numbers::pi / std::sqrt(square) : std::numeric_limits<double>::infinity();
-}
+    static constexpr bool samples_behind = true;  // the forces of a step are known then
 
-MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one, const parameters::Drive& drive,
+    std::optional<Outcome> begin() { return std::nullopt; }
+    bool advance();
+    Reason without_forces();
+    void press();
+    void watch();
+    void sample();
+    long watch_every() const { return watch_every_; }
+    double stored() const { return stored_energy(state.modal, state.q, state.v); }
+
+    // what is known of each contact that sticks, at the end of the run over a surface of constant velocity
+    std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
+
+    StepState state;
+
+private:
+    void shake();
+    void find_touching();
+    void ask_for(std::size_t contact);
+    void subtract_surface(double velocity, std::vector<double>& rates) const;
+    void find_free_rates(double surface_velocity);
+    void project();
+    void note(double start_velocity, double end_velocity);
+    void tell(std::size_t contact);
+    double elastic() const;
+
+    StepContacts contacts_;
+    ExchangeTableau closing_;  // displacements along the normals that close gaps
+    std::vector<double> q_before_, v_before_;
+    std::vector<double> scratch_;             // shape [mode], filled up
+    bool has_impact_ = false;                 // the step before closed a contact: its forces are impulses
+    std::vector<char> touches_, touched_;     // in this step and the one before, shape [contact]
+    std::vector<double> rates_, free_rates_;  // [m/s] g' and w at the step's begin, and its free end, shape [row]
+    std::vector<double> products_;            // shape [row]
+    std::vector<std::size_t> which_;          // rows
+    double surface_velocity_ = 0.0;           // [m/s] at the step's begin
+    long watch_every_;                        // steps
+};
+
+MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modes, const parameters::Drive& drive,
                      const InitialState& start, double step, record::Recorder& recorder)
-    : whole_(structure),
-      structure_(std::move(modal_one)),
-      step_(step),
-      motion_(drive, step, record::end_of(recorder.schedule())),
-      drive_(drive),
-      recorder_(recorder),
-      propagation_(structure_, step),
-      rows_(structure_),
-      contacts_(structure_, propagation_.response(),
-                first_set(structure_, padded(modal(structure_, structure, start.displacement), rows_.padded_modes()),
-                          padded(modal(structure_, structure, start.velocity), rows_.padded_modes()),
-                          motion_.at(0.0).velocity)),
-      closing_(normal_part(structure_.compliance)),
-      q_(padded(modal(structure_, structure, start.displacement), rows_.padded_modes())),
-      v_(padded(modal(structure_, structure, start.velocity), rows_.padded_modes())),
-      q_before_(q_),
-      v_before_(v_),
-      push_(q_.size(), 0.0),
-      scratch_(push_),
-      set_(contacts_.set()),
-      touches_(set_.size(), 0),
-      touched_(set_.size(), 0),
-      rates_(rows_.plan().rows(), 0.0),
+    : state(structure, std::move(modes), drive, start, step, recorder),
+      contacts_(state.modal, state.propagation.response(),
+                first_set(state.modal, state.q, state.v, state.motion.at(0.0).velocity)),
+      closing_(normal_part(state.modal.compliance)),
+      q_before_(state.q),
+      v_before_(state.v),
+      scratch_(state.push),
+      touches_(contacts_.set().size(), 0),
+      touched_(touches_),
+      rates_(state.forces),
       free_rates_(rates_),
       products_(rates_),
-      forces_(rates_),
-      watch_every_(static_cast<long>(1 + structure_.modes() / modes_per_watched_step)),
-      vibration_(static_cast<std::size_t>(model::channels_of(structure))),
-      load_(structure.contacts.size()),
-      travel_{q_, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)} {
-    for (std::size_t row = 0; row < rates_.size(); ++row)
-        share_.push_back(drive_share_of(structure_.contacts, rows_.plan(), row));
-    if (structure.shaken.size() != 0)
-        shaken_ = padded(structure_.shapes.transpose() * structure.shaken, rows_.padded_modes());
-    surface_velocity_ = motion_.at(0.0).velocity;
-    dashpot_power_ = dashpot_power(structure_, v_);
-    initial_energy_ = stored_energy(structure_, q_, v_);
+      surface_velocity_(state.motion.at(0.0).velocity),
+      watch_every_(static_cast<long>(1 + state.modal.modes() / modes_per_watched_step)) {
+    state.set = contacts_.set();
+    state.dashpot_power = dashpot_power(state.modal, state.v);
+    state.initial_energy = stored();
 }
 
 // who takes part: the closed ones, and the open ones whose gap would close
 void MoreauRun::find_touching() {
-    const std::vector<std::size_t>& first = rows_.plan().first;
+    const std::vector<std::size_t>& first = state.plan().first;
     which_.clear();
-    for (std::size_t k = 0; k < set_.size(); ++k)
-        if (set_[k] == ContactMode::open) which_.push_back(first[k]);
-    if (!which_.empty()) rows_.multiply(which_, q_, products_);
-    for (std::size_t k = 0; k < set_.size(); ++k)
+    for (std::size_t k = 0; k < state.set.size(); ++k)
+        if (state.set[k] == ContactMode::open) which_.push_back(first[k]);
+    if (!which_.empty()) state.rows.multiply(which_, state.q, products_);
+    for (std::size_t k = 0; k < state.set.size(); ++k)
         touches_[k] =
-            set_[k] != ContactMode::open || products_[first[k]] + structure_.contacts[k].initial_gap <= 0.0 ? 1 : 0;
+            state.set[k] != ContactMode::open || products_[first[k]] + state.modal.contacts[k].initial_gap <= 0.0 ? 1
+                                                                                                                  : 0;
 }
 
 // puts the rows of a contact into those that are asked for
 void MoreauRun::ask_for(std::size_t contact) {
-    for (std::size_t row = rows_.plan().first[contact]; row < rows_.plan().first[contact + 1]; ++row)
+    for (std::size_t row = state.plan().first[contact]; row < state.plan().first[contact + 1]; ++row)
         which_.push_back(row);
 }
 
 // takes the surface's velocity from the rates at tangents
 void MoreauRun::subtract_surface(double velocity, std::vector<double>& rates) const {
     for (const std::size_t row : which_)
-        if (!rows_.plan().is_normal(row)) rates[row] -= share_[row] * velocity;
+        if (!state.plan().is_normal(row)) rates[row] -= state.share[row] * velocity;
 }
 
 // rates of those that take part: at the free end, and where they are not known at the begin, too
 void MoreauRun::find_free_rates(double surface_velocity) {
     which_.clear();
-    for (std::size_t k = 0; k < set_.size(); ++k)
+    for (std::size_t k = 0; k < state.set.size(); ++k)
         if (touches_[k] != 0 && touched_[k] == 0) ask_for(k);
     if (!which_.empty()) {
-        rows_.multiply(which_, v_before_, rates_);
+        state.rows.multiply(which_, v_before_, rates_);
         subtract_surface(surface_velocity_, rates_);
     }
     which_.clear();
-    for (std::size_t k = 0; k < set_.size(); ++k)
+    for (std::size_t k = 0; k < state.set.size(); ++k)
         if (touches_[k] != 0) ask_for(k);
     std::fill(free_rates_.begin(), free_rates_.end(), 0.0);
-    if (!which_.empty()) rows_.multiply(which_, v_, free_rates_);
+    if (!which_.empty()) state.rows.multiply(which_, state.v, free_rates_);
     subtract_surface(surface_velocity, free_rates_);
 }
 
@@ -155,92 +182,154 @@ void MoreauRun::project() {
     which_.clear();
     for (std::size_t k = 0; k < set.size(); ++k) {
         const bool is_closed = set[k] != ContactMode::open;
-        if (is_closed) which_.push_back(rows_.plan().first[k]);
+        if (is_closed) which_.push_back(state.plan().first[k]);
         if (closing_.is_exchanged(k) != is_closed) closing_.exchange(k);
     }
     if (which_.empty()) return;
-    rows_.multiply(which_, q_, products_);
+    state.rows.multiply(which_, state.q, products_);
     std::vector<double> gaps(set.size(), 0.0), share(products_.size(), 0.0);
     for (const std::size_t row : which_)
-        gaps[rows_.plan().contact[row]] = products_[row] + structure_.contacts[rows_.plan().contact[row]].initial_gap;
+        gaps[state.plan().contact[row]] = products_[row] + state.modal.contacts[state.plan().contact[row]].initial_gap;
     closing_.set(gaps);
     for (const std::size_t row : which_)
-        share[row] = closing_.follows(rows_.plan().contact[row]);
+        share[row] = closing_.follows(state.plan().contact[row]);
     const double before = elastic();
-    rows_.combine(which_, share, scratch_);
-    for (std::size_t j = 0; j < q_.size(); ++j)
-        q_[j] += scratch_[j];
-    work_.impact_loss += before - elastic();
+    state.rows.combine(which_, share, scratch_);
+    for (std::size_t j = 0; j < state.q.size(); ++j)
+        state.q[j] += scratch_[j];
+    state.work.impact_loss += before - elastic();
 }
 
 // the force in the middle of the step, as if it were that all the time
 void MoreauRun::shake() {
-    force_ = imposed_force(drive_, (static_cast<double>(n_) + 0.5) * step_);
-    for (std::size_t j = 0; j < shaken_.size(); ++j)
-        scratch_[j] = force_ * shaken_[j];
-    propagation_.push(scratch_, q_, v_);
+    state.force = imposed_force(state.drive, (static_cast<double>(state.n) + 0.5) * state.step);
+    for (std::size_t j = 0; j < state.shaken.size(); ++j)
+        scratch_[j] = state.force * state.shaken[j];
+    state.propagation.push(scratch_, state.q, state.v);
 }
 
 // one step; returns false if no contact forces obey the laws
 bool MoreauRun::advance() {
-    const double end_velocity = motion_.at(static_cast<double>(n_ + 1) * step_).velocity;
-    q_before_ = q_;
-    v_before_ = v_;
-    propagation_.advance(q_, v_);
-    if (!shaken_.empty()) shake();
+    const double end_velocity = state.motion.at(static_cast<double>(state.n + 1) * state.step).velocity;
+    q_before_ = state.q;
+    v_before_ = state.v;
+    state.propagation.advance(state.q, state.v);
+    if (!state.shaken.empty()) shake();
     find_touching();
     find_free_rates(end_velocity);
     if (!contacts_.solve(free_rates_, touches_)) return false;
     const std::vector<ContactMode>& set = contacts_.set();
-    if (set != set_) press();
+    if (set != state.set) press();
     which_.clear();
     bool has_closed = false;
     for (std::size_t k = 0; k < set.size(); ++k) {
-        for (std::size_t row = rows_.plan().first[k]; row < rows_.plan().first[k + 1]; ++row)
-            forces_[row] = contacts_.force(row);
+        for (std::size_t row = state.plan().first[k]; row < state.plan().first[k + 1]; ++row)
+            state.forces[row] = contacts_.force(row);
         if (set[k] == ContactMode::open) continue;
         ask_for(k);
-        has_closed = has_closed || set_[k] == ContactMode::open;
+        has_closed = has_closed || state.set[k] == ContactMode::open;
     }
-    rows_.combine(which_, forces_, push_);
-    propagation_.push(push_, q_, v_);
+    state.rows.combine(which_, state.forces, state.push);
+    state.propagation.push(state.push, state.q, state.v);
     note(surface_velocity_, end_velocity);
-    if (has_closed || n_ % steps_between_projections == 0) project();
+    if (has_closed || state.n % steps_between_projections == 0) project();
     has_impact_ = has_closed;
     surface_velocity_ = end_velocity;
     touched_ = touches_;
-    set_ = set;
-    ++n_;
+    state.set = set;
+    ++state.n;
     return true;
 }
 
-Outcome MoreauRun::without_forces() {
-    pressed_ = numbered(structure_, contacts_.pressed(touches_));
-    return {pressed_.empty() ? Reason::no_forces : Reason::painleve, time()};
+void MoreauRun::note(double start_velocity, double end_velocity) {
+    const double mean_surface = 0.5 * (start_velocity + end_velocity);
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        if (contact_of(contacts_.set()[k]) != contact_of(state.set[k]) || state.n == 0) tell(k);
+        if (touches_[k] == 0) continue;
+        const std::size_t normal = state.plan().first[k];
+        record::Load& load = state.load[state.modal.number[k]];
+        load.normal_impulse += state.step * state.forces[normal];
+        state.work.impact_loss -= state.step * state.forces[normal] * 0.5 * (rates_[normal] + contacts_.rate(normal));
+        rates_[normal] = contacts_.rate(normal);
+        for (std::size_t row = normal + 1; row < state.plan().first[k + 1]; ++row) {
+            const double T = state.forces[row];
+            const double friction_loss = -state.step * T * 0.5 * (rates_[row] + contacts_.rate(row));
+            state.work.friction_loss += friction_loss;
+            load.friction_loss += friction_loss;
+            state.work.drive_work += state.step * T * state.share[row] * mean_surface;
+            rates_[row] = contacts_.rate(row);
+        }
+    }
+    for (std::size_t j = 0; j < state.shaken.size(); ++j)
+        state.work.drive_work += state.force * state.shaken[j] * (state.q[j] - q_before_[j]);
+    state.note_dashpots();
 }
 
-void MoreauRun::begin_span() {
-    std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
-    std::fill(load_.begin(), load_.end(), record::Load());
-    press();
-    watched_ = 0;
+// the forces of the step before
+void MoreauRun::press() {
+    if (!has_impact_) state.press(state.forces);
 }
 
-void MoreauRun::end_span(std::size_t span, long, double length) {
-    if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
-    for (record::Vibration& sum : vibration_)
-        sum.square_time *= length / static_cast<double>(watched_);
-    recorder_.vibrate(span, length, vibration_);
-    press();
-    recorder_.load(span, load_);
+Reason MoreauRun::without_forces() {
+    state.pressed = numbered(state.modal, contacts_.pressed(touches_));
+    return state.pressed.empty() ? Reason::no_forces : Reason::painleve;
 }
 
-Outcome MoreauRun::run(const std::stop_token& stop) {
-    const auto go = [&](long end, record::Use use, StepSamples& samples) {
-        return step_to(*this, end, use, samples, stop);
-    };
-    if (const auto ended = run_spans(*this, recorder_, step_, go)) return *ended;
-    return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
+std::vector<record::Outlook> MoreauRun::outlooks(const Outcome& outcome) const {
+    std::vector<record::Outlook> known(state.set.size());
+    const bool is_linear = std::all_of(
+        state.modal.contacts.begin(), state.modal.contacts.end(),
+        [](const ModalContact& contact) { return contact.second_tangent.empty() && is_state_wise(contact.friction); });
+    const bool may_know = outcome.reason == Reason::completed && state.is_steady() && is_linear &&
+                          state.modal.modes() <= most_proven_modes;
+    if (!may_know) return known;
+    std::vector<double> since;
+    for (const std::size_t contact : state.modal.number)
+        since.push_back(state.recorder.since(contact));
+    const std::size_t modes = state.modal.modes();
+    const std::vector<record::Outlook> found =
+        LastingSet(state.modal, state.set, surface_velocity_)
+            .outlooks({state.q.data(), modes}, {state.v.data(), modes}, outcome.time, since);
+    for (std::size_t k = 0; k < found.size(); ++k)
+        if (state.set[k] == ContactMode::stick) known[state.modal.number[k]] = found[k];
+    return known;
+}
+
+void MoreauRun::tell(std::size_t contact) {
+    const std::size_t row = state.plan().first[contact];
+    double slip_velocity = rates_[row + 1];
+    if (state.plan().has_two_tangents(contact))
+        slip_velocity = std::sqrt(rates_[row + 1] * rates_[row + 1] + rates_[row + 2] * rates_[row + 2]);
+    state.tell(contact, contacts_.set()[contact], slip_velocity, rates_[row]);
+}
+
+void MoreauRun::watch() {
+    state.watch(state.modal.channels * state.modes_of(state.v));
+}
+
+// the instant at which the step that is done began, with its forces
+void MoreauRun::sample() {
+    const Eigen::VectorXd a = state.acceleration(q_before_, v_before_);
+    std::vector<double> gaps(state.set.size(), 0.0);
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+        if (state.set[k] == ContactMode::open)
+            gaps[k] = gap(state.modal.contacts[k], {q_before_.data(), state.modal.modes()});
+    state.sample(static_cast<double>(state.n - 1) * state.step, state.modal.shapes * state.modes_of(q_before_),
+                 state.modal.shapes * state.modes_of(v_before_), state.modal.shapes * a, gaps);
+}
+
+double MoreauRun::elastic() const {
+    double energy = 0.0;
+    for (std::size_t j = 0; j < state.modal.modes(); ++j)
+        energy += (0.5 * state.modal.square_frequency[j] * state.q[j] - state.modal.load[j]) * state.q[j];
+    return energy;
+}
+
+}  // namespace
+
+double longest_step(const ModalStructure& structure) {
+    const double square = structure.square_frequency.back();
+    return square > 0.0 ? std::numbers::pi / std::sqrt(square) : std::numeric_limits<double>::infinity();
 }
 
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
@@ -248,13 +337,8 @@ Motion integrate_moreau(const model::Structure& structure, const parameters::Dri
     expect_solvable(structure, parameters::Method::moreau);
     ModalStructure modal = modal_structure(structure);
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
-    MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);
-    const Outcome ended = runner.run(stop);
-    const EnergyBalance balance = runner.energy();
-    const Outcome outcome = weighed(ended, balance, std::numeric_limits<double>::infinity());
-    Motion motion{outcome, balance, recorder.finish(outcome.time, runner.outlooks(outcome))};
-    motion.pressed = runner.pressed();
-    return motion;
+    MoreauRun run(structure, std::move(modal), drive, start, settings.step, recorder);
+    return motion_of(run, stop);
 }
 
 }  // namespace stridor::integration
