@@ -3,46 +3,12 @@
 #include "stridor/integration/exact/contact_transition.hpp"
 #include "stridor/integration/run/event_loop.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 
 namespace stridor::integration {
-
-namespace {
-
-// X of A'X + X A = -Q, Q symmetric: a linear system for the entries above the diagonal
-template <typename Matrix>
-Matrix lyapunov(const Matrix& a, const Matrix& q) {
-    constexpr int most = Matrix::MaxRowsAtCompileTime;
-    constexpr int most_unknowns = most * (most + 1) / 2;
-    const auto n = a.rows();
-    const auto unknowns = n * (n + 1) / 2;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_unknowns, most_unknowns> system;
-    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_unknowns, 1> right(unknowns);
-    system.setZero(unknowns, unknowns);
-    const auto place = [](Eigen::Index i, Eigen::Index j) {
-        return i <= j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
-    };
-    for (Eigen::Index j = 0; j < n; ++j)
-        for (Eigen::Index i = 0; i <= j; ++i) {
-            for (Eigen::Index k = 0; k < n; ++k) {
-                system(place(i, j), place(k, j)) += a(k, i);
-                system(place(i, j), place(i, k)) += a(k, j);
-            }
-            right(place(i, j)) = -q(i, j);
-        }
-    const auto solution = system.partialPivLu().solve(right).eval();
-    Matrix x(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-        for (Eigen::Index i = 0; i < n; ++i)
-            x(i, j) = solution(place(i, j));
-    return x;
-}
-
-}  // namespace
 
 Sliding::Sliding(const Flow& flow, double load_scale, double velocity)
     : flow_(flow),
@@ -66,12 +32,10 @@ Sliding::Sliding(const Flow& flow, double load_scale, double velocity)
     const double rate = 1.0 / flow.step;
     for (int i = 0; i < closed; ++i)
         weight(i, i) = rate * rate;
-    bound_ = lyapunov(generator_, weight);
-    const Eigen::LLT<Matrix> factor(bound_);
-    is_stable_ = factor.info() == Eigen::Success;
-    if (!is_stable_) return;
-    normal_gain_ = std::sqrt(normal.dot(factor.solve(normal)));
-    velocity_gain_ = std::sqrt(speed.dot(factor.solve(speed)));
+    bound_ = LastingBound<Matrix>(lyapunov_of_few(generator_, weight));
+    if (!bound_.is_definite()) return;
+    normal_gain_ = bound_.gain(normal);
+    velocity_gain_ = bound_.gain(speed);
 }
 
 Sliding::Vector Sliding::distance(const Lanes& s) const {
@@ -82,9 +46,8 @@ Sliding::Vector Sliding::distance(const Lanes& s) const {
 }
 
 std::optional<Silence> Sliding::silence(const Lanes& s, double time) const {
-    if (!is_stable_) return std::nullopt;
-    const Vector e = distance(s);
-    const double size = std::sqrt(std::max(0.0, e.dot(bound_ * e)));
+    if (!bound_.is_definite()) return std::nullopt;
+    const double size = bound_.size(distance(s));
     const double N = normal_force_ - normal_gain_ * size;
     const double w = slip_velocity_ - velocity_gain_ * size;
     if (!(N > 0.0 && w > 0.0)) return std::nullopt;
@@ -136,7 +99,7 @@ void Sliding::pass(const Kernel& kernel, double duration, record::Use use, Lanes
             Matrix product = Matrix::Zero(size, size);
             product(closed + i, closed + j) += 0.5;
             product(closed + j, closed + i) += 0.5;
-            const Matrix x = lyapunov(generator_, product);
+            const Matrix x = lyapunov_of_few(generator_, product);
             part.product[k].at[0] += before.dot(x * before) - after.dot(x * after);
         }
 }

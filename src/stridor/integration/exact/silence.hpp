@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/exact/account.hpp"
+#include "stridor/integration/proofs/lyapunov.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/record/schedule.hpp"
 
@@ -12,8 +13,8 @@ namespace stridor::integration {
 
 /// Steady sliding of a structure under a constant drive, and how far from it a motion can still get.
 ///
-/// With e the distance from the sliding equilibrium, e' = A e, and P of A'P + P A = -Q the function e.P e never grows.
-/// So each linear functional c of e stays below sqrt(c.P⁻¹c) sqrt(e.P e) for ever. Source: Lyapunov's direct method.
+/// The distance e from the sliding equilibrium obeys e' = A e. With P of A'P + P A = -Q the number e.P e never grows,
+/// and bounds N and w for ever (proofs/lyapunov.hpp).
 class Sliding {
 public:
     /// `flow` is the slip state of steady sliding; `load_scale` F [N] and `velocity` V [m/s] are those of the run.
@@ -34,10 +35,9 @@ private:
     Vector distance(const Lanes& s) const;
 
     const Flow& flow_;
-    Vector equilibrium_;          // positions and velocities
-    Matrix generator_;            // [1/s] A
-    Matrix bound_;                // P
-    bool is_stable_ = false;      // P is positive definite
+    Vector equilibrium_;  // positions and velocities
+    Matrix generator_;    // [1/s] A
+    LastingBound<Matrix> bound_;
     double normal_force_ = 0.0;   // [N] at the equilibrium
     double slip_velocity_ = 0.0;  // [m/s] |w| there
     double normal_gain_ = 0.0;    // sqrt(c.P⁻¹c) for N

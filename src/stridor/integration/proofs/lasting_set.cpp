@@ -10,7 +10,6 @@
 #include "stridor/integration/proofs/lasting_set.hpp"
 
 #include "stridor/base/decompositions.hpp"
-#include "stridor/integration/proofs/lyapunov.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/model/complement.hpp"
 
@@ -36,10 +35,6 @@ constexpr double sum_rounding = 0x1p-40;
 
 VectorXd vector_of(std::span<const double> numbers) {
     return Eigen::Map<const VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
-}
-
-bool is_definite(const MatrixXd& a) {
-    return a.allFinite() && a.llt().info() == Eigen::Success;
 }
 
 }  // namespace
@@ -115,17 +110,19 @@ void LastingSet::bound_vibration() {
     generator_.bottomRightCorner(m, m) = -inertia.solve(damping);
     if (std::none_of(set_.begin(), set_.end(), is_slip)) {
         // the energy: it grows by no motion, as the dashpots only take
-        bound_ = MatrixXd::Zero(2 * m, 2 * m);
-        bound_.topLeftCorner(m, m) = stiffness / (rate_ * rate_);
-        bound_.bottomRightCorner(m, m).setIdentity();
-        is_bounded_ = is_definite(bound_) && damping.ldlt().isPositive();
+        MatrixXd energy = MatrixXd::Zero(2 * m, 2 * m);
+        energy.topLeftCorner(m, m) = stiffness / (rate_ * rate_);
+        energy.bottomRightCorner(m, m).setIdentity();
+        bound_ = LastingBound(energy);
+        is_bounded_ = bound_.is_definite() && damping.ldlt().isPositive();
         return;
     }
     const MatrixXd loss = rate_ * MatrixXd::Identity(2 * m, 2 * m);
-    bound_ = Lyapunov(generator_).solve(loss);
+    const MatrixXd p = Lyapunov(generator_).solve(loss);
+    bound_ = LastingBound(p);
     // a certificate of its own: whatever the solver did
-    const MatrixXd falls = -(generator_.transpose() * bound_ + bound_ * generator_);
-    is_bounded_ = is_definite(bound_) && is_definite(0.5 * (falls + falls.transpose()));
+    const MatrixXd falls = -(generator_.transpose() * p + p * generator_);
+    is_bounded_ = bound_.is_definite() && LastingBound(MatrixXd(0.5 * (falls + falls.transpose()))).is_definite();
 }
 
 void LastingSet::add_margin(std::size_t contact, const RowVectorXd& of_q, const RowVectorXd& of_v, double constant) {
@@ -137,8 +134,7 @@ void LastingSet::add_margin(std::size_t contact, const RowVectorXd& of_q, const 
     margin.slope_zero = sum_rounding * of_q.cwiseAbs().dot(drift_.transpose().cwiseAbs());
     margin.deviation.resize(2 * free_.cols());
     margin.deviation << (of_q * free_).transpose() / rate_, (of_v * free_).transpose();
-    if (margin.deviation.size() > 0)
-        margin.gain = std::sqrt(std::max(0.0, margin.deviation.dot(bound_.llt().solve(margin.deviation))));
+    if (margin.deviation.size() > 0) margin.gain = bound_.gain(margin.deviation);
     margins_.push_back(std::move(margin));
 }
 
@@ -188,7 +184,7 @@ LastingSet::Now LastingSet::now(std::span<const double> q, std::span<const doubl
     here.q0 = forced_.solve(right);
     here.e.resize(2 * free_.cols());
     here.e << rate_ * (free_.transpose() * (vector_of(q) - here.q0)), free_.transpose() * (vector_of(v) - drift_);
-    here.size = std::sqrt(std::max(0.0, here.e.dot(bound_ * here.e)));
+    if (here.e.size() > 0) here.size = bound_.size(here.e);
     return here;
 }
 

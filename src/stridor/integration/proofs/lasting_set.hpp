@@ -2,6 +2,7 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/modal/modal_structure.hpp"
+#include "stridor/integration/proofs/lyapunov.hpp"
 #include "stridor/integration/rules/contact_mode.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/record/tally.hpp"
@@ -20,10 +21,9 @@ inline constexpr std::size_t most_proven_modes = 100;
 
 /// A set of contact modes over a surface of constant velocity: does it last for ever?
 ///
-/// Within a set the motion is a forced part, linear in time, and a rest e that friction may feed. With e' = A e and P
-/// of A'P + P A < 0 the number e.P e never grows, so that each linear functional c of e stays below
-/// sqrt(c.P⁻¹c) sqrt(e.P e) for ever (Lyapunov's direct method). If every event function's forced part stays above that
-/// bound, no contact ever changes. Derivation: lasting_set.cpp.
+/// Within a set the motion is a forced part, linear in time, and a rest e that friction may feed, of which a number
+/// e.P e never grows (lyapunov.hpp). If every event function's forced part stays above what that bounds, no contact
+/// ever changes. Derivation: lasting_set.cpp.
 class LastingSet {
 public:
     /// `velocity` [m/s] is the surface's.
@@ -94,7 +94,7 @@ private:
     double velocity_ = 0.0;                     // [m/s] of the surface
     double rate_ = 1.0;                         // [1/s] makes positions comparable with velocities
     Eigen::MatrixXd generator_;                 // [1/s] A
-    Eigen::MatrixXd bound_;                     // P
+    LastingBound<Eigen::MatrixXd> bound_;       // by e.P e
     std::vector<Margin> margins_;
     std::vector<Eigen::MatrixXd> gramians_;  // shape [channel], made when needed
 };

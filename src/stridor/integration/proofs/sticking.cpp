@@ -4,14 +4,15 @@
 //     M̂ q" + Ĉ q' + K̂ q = Bᵀ(f0 - M r x" - C r x' - K r x)
 //
 // q is a forced part, linear in time (constant drive) or sinusoidal, and a rest e that dies away: its energy
-// E = (e'.M̂e' + e.K̂e)/2 never grows. The margins of the stick, f = mu_s N -+ T, are linear in all of it. So
-// f(t) >= forced part - |share of e|, and a share a.e + b.e' is at most sqrt(2E) sqrt(a.K̂⁻¹a + b.M̂⁻¹b) for ever.
+// (e'.M̂e' + e.K̂e)/2 never grows, and bounds (e, e') for ever (lyapunov.hpp). The margins of the stick,
+// f = mu_s N -+ T, are linear in all of it. So f(t) >= forced part - |share of (e, e')|.
 // A forced part that stays above that bound proves the stick; one that falls below zero proves its end.
 
 #include "stridor/integration/proofs/sticking.hpp"
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/integration/proofs/lyapunov.hpp"
 #include "stridor/model/complement.hpp"
 
 #include <algorithm>
@@ -68,6 +69,11 @@ public:
         mass_ = model::reduced(free_, s.mass, free_);
         damping_ = model::reduced(free_, s.damping, free_);
         stiffness_ = model::reduced(free_, s.stiffness, free_);
+        const Eigen::Index m = free_.cols();
+        MatrixXd energy = MatrixXd::Zero(2 * m, 2 * m);
+        energy.topLeftCorner(m, m) = stiffness_;
+        energy.bottomRightCorner(m, m) = mass_;
+        if (m > 0) twice_energy_ = LastingBound(energy);
         x_ = point.tangent.dot(now.displacement);
     }
 
@@ -107,6 +113,7 @@ private:
     VectorXd carried_;                     // r
     MatrixXd free_;                        // B
     MatrixXd mass_, damping_, stiffness_;  // reduced by B
+    LastingBound<MatrixXd> twice_energy_;  // of (e, e')
     double x_ = 0.0;                       // [m] t.u
 };
 
@@ -116,10 +123,11 @@ double Stick::vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate
     const MatrixXd of_place = forces_ * (s_.stiffness * free_ - inertia * stiffness_);
     const MatrixXd of_rate = forces_ * (s_.damping * free_ - inertia * damping_);
     const double sign = k == 0 ? -1.0 : 1.0;
-    const VectorXd a = (limits_[k] * of_place.row(0) + sign * of_place.row(1)).transpose();
-    const VectorXd b = (limits_[k] * of_rate.row(0) + sign * of_rate.row(1)).transpose();
-    const double twice_energy = e_rate.dot(mass_ * e_rate) + e.dot(stiffness_ * e);
-    return std::sqrt(twice_energy * (a.dot(stiffness_.inverse() * a) + b.dot(mass_.inverse() * b)));
+    VectorXd share(2 * e.size()), vibration(2 * e.size());
+    share << (limits_[k] * of_place.row(0) + sign * of_place.row(1)).transpose(),
+        (limits_[k] * of_rate.row(0) + sign * of_rate.row(1)).transpose();
+    vibration << e, e_rate;
+    return twice_energy_.size(vibration) * twice_energy_.gain(share);
 }
 
 Holding Stick::under_constant_drive() const {
