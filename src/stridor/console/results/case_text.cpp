@@ -178,13 +178,6 @@ std::string set_text(const reduction::ElasticPart& part, const Nodes& with_rows)
     return text;
 }
 
-std::string frequency_list(const std::vector<double>& frequencies) {
-    std::string text;
-    for (const double each : frequencies)
-        text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", each);
-    return text;
-}
-
 // what is rounding depends on the machine
 std::string statics_text(const std::optional<double>& error) {
     constexpr double rounding = 1e-11;
@@ -226,7 +219,7 @@ std::string part_text(const reduction::ElasticPart& part, const reduction::PartS
 std::string vibration_text(const reduction::PartVibration& vibration) {
     std::string text =
         "rigid body   " + counted(static_cast<std::size_t>(vibration.rigid_body_modes), "mode", "modes") + "\n";
-    text += "frequencies  " + frequency_list(vibration.frequencies) + " Hz\n";
+    text += fmt::format("frequencies  {:.6g} Hz\n", fmt::join(vibration.frequencies, ", "));
     text += std::isfinite(vibration.highest_frequency)
                 ? fmt::format("highest      {:.4g} Hz\n", vibration.highest_frequency)
                 : std::string("highest      none: some motion has no mass\n");

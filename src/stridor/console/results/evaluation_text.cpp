@@ -110,17 +110,7 @@ std::string chart_text(const io::HeardChart& chart) {
     return text;
 }
 
-std::string set_title(sweep::PlaneSet set) {
-    switch (set) {
-        case sweep::PlaneSet::file:
-            return "charts of files";
-        case sweep::PlaneSet::paper:
-            return "the paper's planes";
-        case sweep::PlaneSet::soft:
-            return "soft parts";
-    }
-    return "";
-}
+constexpr std::array set_titles{"charts of files", "the paper's planes", "soft parts"};  // by sweep::PlaneSet
 
 // the table of each set, where there are several
 std::string sets_text(const io::HearingReport& report) {
@@ -129,8 +119,8 @@ std::string sets_text(const io::HearingReport& report) {
     std::string text;
     for (const sweep::PlaneSet set : sets) {
         const Confusion table = io::confusion(report, set);
-        text += fmt::format("\n{}: {} sounds\n\n{}\nagreement {}\n", set_title(set), classification::total(table),
-                            confusion_text(table), agreement_text(table));
+        text += fmt::format("\n{}: {} sounds\n\n{}\nagreement {}\n", set_titles[static_cast<std::size_t>(set)],
+                            classification::total(table), confusion_text(table), agreement_text(table));
     }
     return text;
 }

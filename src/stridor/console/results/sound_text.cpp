@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 
 namespace stridor::console {
@@ -135,20 +136,11 @@ std::string named_bands_text(const SoundAnalysis& analysis) {
 
 // why a channel has its unit
 std::string origin(recordings::Calibration calibration, const recordings::FullScale& scale) {
-    const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
-    switch (calibration) {
-        case recordings::Calibration::option:
-            return value + "--full-scale)";
-        case recordings::Calibration::sidecar:
-            return value + "the sidecar)";
-        case recordings::Calibration::description:
-            return value + "its description)";
-        case recordings::Calibration::file:
-            return "";
-        case recordings::Calibration::none:
-            return " (not calibrated)";
-    }
-    return "";
+    if (calibration == recordings::Calibration::file) return "";
+    if (calibration == recordings::Calibration::none) return " (not calibrated)";
+    constexpr std::array<std::string_view, 3> who{"--full-scale", "the sidecar", "its description"};
+    return fmt::format(" (1 in the file is {:.6g} {}, says {})", scale.value, scale.unit,
+                       who[static_cast<std::size_t>(calibration)]);
 }
 
 }  // namespace
