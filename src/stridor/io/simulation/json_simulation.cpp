@@ -148,34 +148,35 @@ Json interface_object(const Case& c, const classification::InterfaceVerdict& ver
             {"category", classification::name(verdict.whole.category)}};
 }
 
-// of a case with several joints or a structure of its own: each contact by itself, called as it is there
+// each contact by itself, called as it is in the case
+Json contacts_array(const Case& c, const record::Tally& phase, const classification::PhaseVerdicts& verdicts) {
+    Json contacts = Json::array();
+    for (std::size_t k = 0; k < verdicts.contacts.size(); ++k)
+        contacts.push_back({{"name", parameters::contact_name(c, k)},
+                            {"rates", rates_object(analysis::rates(phase.contacts[k].time))},
+                            {"verdict", verdicts.contacts[k] ? verdict_object(*verdicts.contacts[k]) : Json(nullptr)}});
+    return contacts;
+}
+
+// of a case with several joints or a structure of its own
 void put_contacts(Json& object, const Case& c, const record::Tally& phase) {
     const classification::PhaseVerdicts all =
         classification::classify_all(phase, c.verdict, classification::contact_names(c));
-    Json contacts = Json::array(), interfaces = Json::array();
-    for (std::size_t k = 0; k < all.contacts.size(); ++k)
-        contacts.push_back({{"name", parameters::contact_name(c, k)},
-                            {"rates", rates_object(analysis::rates(phase.contacts[k].time))},
-                            {"verdict", all.contacts[k] ? verdict_object(*all.contacts[k]) : Json(nullptr)}});
-    for (const classification::InterfaceVerdict& verdict : all.interfaces)
-        interfaces.push_back(interface_object(c, verdict));
-    object["contacts"] = std::move(contacts);
-    if (!interfaces.empty()) object["interfaces"] = std::move(interfaces);
+    object["contacts"] = contacts_array(c, phase, all);
+    if (!all.interfaces.empty())
+        object["interfaces"] = array_of(all.interfaces, [&](const classification::InterfaceVerdict& verdict) {
+            return interface_object(c, verdict);
+        });
 }
 
 // the same phase of contacts without inertia, and whether its verdict agrees
 Json massless_object(const Case& c, const record::Tally& with, const record::Tally& without) {
     const classification::PhaseVerdicts verdicts =
         classification::classify_all(without, c.verdict, classification::contact_names(c));
-    Json contacts = Json::array();
-    for (std::size_t k = 0; k < verdicts.contacts.size(); ++k)
-        contacts.push_back({{"name", parameters::contact_name(c, k)},
-                            {"rates", rates_object(analysis::rates(without.contacts[k].time))},
-                            {"verdict", verdicts.contacts[k] ? verdict_object(*verdicts.contacts[k]) : Json(nullptr)}});
     const classification::Category wanted = classification::classify_all(with, c.verdict).whole.category;
     return {{"category", classification::name(verdicts.whole.category)},
             {"agrees", verdicts.whole.category == wanted},
-            {"contacts", std::move(contacts)}};
+            {"contacts", contacts_array(c, without, verdicts)}};
 }
 
 Json phase_object(const Case& c, const classification::Verdict& verdict) {
