@@ -72,21 +72,7 @@ std::string words_as_type(std::string_view sentence, const std::string& name, co
            fmt::format("export type {} = (typeof {})[number];\n", type, name);
 }
 
-std::string_view name_of(drawing::Texture texture) {
-    switch (texture) {
-        case drawing::Texture::none:
-            break;
-        case drawing::Texture::dots:
-            return "dots";
-        case drawing::Texture::rising:
-            return "rising";
-        case drawing::Texture::falling:
-            return "falling";
-        case drawing::Texture::crossed:
-            return "crossed";
-    }
-    return "plain";
-}
+constexpr std::array texture_names{"plain", "dots", "rising", "falling", "crossed"};  // by drawing::Texture
 
 std::string fill_lines() {
     const std::vector<drawing::Fill> fills = pictures::kind_fills();
@@ -97,8 +83,8 @@ std::string fill_lines() {
         // a plain ground has no marks to be seen
         const drawing::Colour mark = fill.texture == drawing::Texture::none ? fill.colour : fill.ink;
         lines += fmt::format("  \"{}\": {{ ground: \"{}\", texture: \"{}\", mark: \"{}\" }},\n",
-                             drawing::plain_text(names[k]), drawing::hex(fill.colour), name_of(fill.texture),
-                             drawing::hex(mark));
+                             drawing::plain_text(names[k]), drawing::hex(fill.colour),
+                             texture_names[static_cast<std::size_t>(fill.texture)], drawing::hex(mark));
     }
     return lines;
 }

@@ -1,6 +1,7 @@
 #include "stridor/explorer/typescript.hpp"
 
 #include "stridor/drawing/palette.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/sweep/cell.hpp"
 
@@ -32,6 +33,16 @@ TEST(Typescript, HasTheFillOfEveryCategory) {
         const std::string name(stridor::classification::name(category));
         EXPECT_TRUE(holds(palette, "  \"" + name + "\": { ground: \"" + ground + "\"")) << name;
     }
+}
+
+TEST(Typescript, HasTheRecordsOfSimulations) {
+    EXPECT_TRUE(holds(typescript("words"),
+                      "\n/** The energy balance of a run. */\nexport interface Energy {\n"
+                      "  /** change of kinetic and elastic energy [J] */\n  stored: number;\n"));
+    for (const auto& record : stridor::io::simulation_records())
+        for (const auto& member : record.members)
+            EXPECT_TRUE(holds(typescript("words"), "  " + std::string(member.key) + ": " + std::string(member.type)))
+                << member.key;
 }
 
 // prettier would break longer ones, and the copies would differ from what is written
