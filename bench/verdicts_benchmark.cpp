@@ -31,17 +31,17 @@ using parameters::Case;
 Case random_case(std::uint64_t number) {
     support::CounterRandom random(number);
     Case c;
-    c.joint.mass *= random.decades(0.5, 2.0);
-    c.joint.axial_stiffness *= random.decades(0.3, 3.0);
-    c.joint.flexural_stiffness *= random.decades(0.3, 3.0);
-    c.joint.axial_damping *= random.decades(0.3, 3.0);
-    c.joint.flexural_damping *= random.decades(0.3, 3.0);
-    c.joint.incidence_angle = random.between(30.0, 150.0);
+    c.joint().mass *= random.decades(0.5, 2.0);
+    c.joint().axial_stiffness *= random.decades(0.3, 3.0);
+    c.joint().flexural_stiffness *= random.decades(0.3, 3.0);
+    c.joint().axial_damping *= random.decades(0.3, 3.0);
+    c.joint().flexural_damping *= random.decades(0.3, 3.0);
+    c.joint().incidence_angle = random.between(30.0, 150.0);
     c.plate.mass *= random.decades(0.5, 2.0);
     c.plate.stiffness *= random.decades(0.3, 3.0);
-    c.contact.preload = random.decades(2.0, 2000.0);
-    c.contact.static_friction = random.between(0.1, 1.2);
-    c.contact.kinetic_friction = c.contact.static_friction * random.between(0.2, 1.0);
+    c.contact().preload = random.decades(2.0, 2000.0);
+    c.contact().static_friction = random.between(0.1, 1.2);
+    c.contact().kinetic_friction = c.contact().static_friction * random.between(0.2, 1.0);
     if (random.one_in(2)) {
         c.drive.kind = parameters::DriveKind::constant;
         c.drive.velocity = random.decades(0.02, 0.5) * (random.one_in(2) ? 1.0 : -1.0);
@@ -67,8 +67,8 @@ struct Change {
 constexpr double shift = 0.03;  // [1] of a window of a constant drive, which knows no period
 
 constexpr std::array changes{
-    Change{"preload by 1e-9", 1, [](Case& c) { c.contact.preload *= 1.0 + 1e-9; }},
-    Change{"stiffness by 1e-9", 1, [](Case& c) { c.joint.flexural_stiffness *= 1.0 + 1e-9; }},
+    Change{"preload by 1e-9", 1, [](Case& c) { c.contact().preload *= 1.0 + 1e-9; }},
+    Change{"stiffness by 1e-9", 1, [](Case& c) { c.joint().flexural_stiffness *= 1.0 + 1e-9; }},
     Change{"window", 1,
            [](Case& c) {
                const bool has_period = c.drive.kind == parameters::DriveKind::sinusoidal;

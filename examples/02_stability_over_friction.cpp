@@ -14,7 +14,7 @@ int main() {
     const parameters::Case base = parameters::paper_case(parameters::PaperCase::squeal);
     const auto going_at = [&](double kinetic_friction) {
         parameters::Case c = base;
-        c.contact.kinetic_friction = kinetic_friction;
+        c.contact().kinetic_friction = kinetic_friction;
         return analysis::sliding_stability(model::rubbing_system(c), parameters::Direction::going);
     };
 

@@ -36,14 +36,14 @@ struct Rubbing {
 inline Rubbing rubbing(const parameters::Case& c) {
     if (c.drive.kind != parameters::DriveKind::constant || c.run.initial == parameters::Initial::sliding)
         throw std::invalid_argument("the peers run at constant velocity, started at rest or stuck");
-    const double angle = c.joint.incidence_angle * 3.14159265358979323846 / 180.0;
+    const double angle = c.joint().incidence_angle * 3.14159265358979323846 / 180.0;
     const double cosine = std::cos(angle), sine = std::sin(angle);
     const double cc = cosine * cosine, ss = sine * sine, sc = sine * cosine;
-    const parameters::Joint& joint = c.joint;
+    const parameters::Joint& joint = c.joint();
     Rubbing r{};
     r.m1 = joint.mass, r.m2 = c.plate.mass;
     r.k2y = c.plate.stiffness, r.c2y = c.plate.damping;
-    r.F = c.contact.preload, r.mu_s = c.contact.static_friction, r.mu_d = c.contact.kinetic_friction;
+    r.F = c.contact().preload, r.mu_s = c.contact().static_friction, r.mu_d = c.contact().kinetic_friction;
     r.V = c.drive.velocity;
     r.kxx = joint.axial_stiffness * cc + joint.flexural_stiffness * ss;
     r.kyy = joint.axial_stiffness * ss + joint.flexural_stiffness * cc;

@@ -101,7 +101,7 @@ CaseHandle changed(const CaseHandle& handle_of,
 
 std::vector<std::string> joint_names(const CaseHandle& handle) {
     std::vector<std::string> names;
-    for (std::size_t joint = 0; !handle.of->further_joints.empty() && joint < joint_count(*handle.of); ++joint)
+    for (std::size_t joint = 0; parameters::has_several_joints(*handle.of) && joint < joint_count(*handle.of); ++joint)
         names.push_back(parameters::joint_name(*handle.of, joint));
     return names;
 }

@@ -11,8 +11,8 @@ void choose(parameters::Case& c) {
 
 void choose_falling_beta_2(parameters::Case& c) {
     choose(c);
-    c.contact.friction = parameters::FrictionKind::linear;
-    c.contact.friction_slope = 0.05;
+    c.contact().friction = parameters::FrictionKind::linear;
+    c.contact().friction_slope = 0.05;
 }
 
 // At beta_2 = 0.5 the balance is exact but for rounding. Each of the 1e4 steps rounds forces of the size K u by 2^-53;

@@ -103,16 +103,16 @@ std::vector<classification::Category> categories(const Case& c, const record::Re
 // of a slip at a sample
 double kinetic_friction(const Case& c, const record::Trace& trace, std::size_t k) {
     const double w = trace.velocity[0][k] - trace.surface_velocity[k];
-    return std::abs(slip_ratio(model::friction_law(c.contact), model::slip_of(w), w));
+    return std::abs(slip_ratio(model::friction_law(c.contact()), model::slip_of(w), w));
 }
 
 // [1] what it changes within a step: forces of a step belong to one instant of it
 double velocity_share(const Case& c, const record::Trace& trace, std::size_t k) {
-    if (is_state_wise(c.contact.friction)) return 0.0;
+    if (is_state_wise(c.contact().friction)) return 0.0;
     double most = 0.0;
     for (std::size_t near = k > 0 ? k - 1 : k; near < std::min(k + 2, trace.time.size()); ++near)
         most = std::max(most, std::abs(trace.acceleration[0][near]));
-    return c.contact.friction_slope * 2.0 * c.run.step * most;
+    return c.contact().friction_slope * 2.0 * c.run.step * most;
 }
 
 // --- what holds for one run
@@ -147,7 +147,7 @@ TEST_P(EngineContract, ObeysCoulombAndUnilateralContactAtEveryInstant) {
             const double rounding = 1e-14 * N;
             switch (trace.contacts.front().state[k]) {
                 case ContactState::stick:
-                    ASSERT_LE(T, c.contact.static_friction * N + rounding);
+                    ASSERT_LE(T, c.contact().static_friction * N + rounding);
                     break;
                 case ContactState::slip:
                     ASSERT_NEAR(T, kinetic_friction(c, trace, k) * N, rounding + velocity_share(c, trace, k) * N);
@@ -179,7 +179,7 @@ TEST_P(EngineContract, BalancesItsMomentum) {
     for (Case c : noisy_cases(GetParam())) {
         const double interval = c.run.step;
         const Motion motion = moved(c, {KeepHistory::no, {0.0, c.run.duration, interval}});
-        const double preload_impulse = c.contact.preload * c.run.duration;
+        const double preload_impulse = c.contact().preload * c.run.duration;
         EXPECT_LT(support::friction_residual(solved(c), motion, interval), support::trapezoids * preload_impulse)
             << c.title << " at " << c.drive.velocity;
     }
@@ -235,7 +235,7 @@ TEST_P(EngineContract, IsNotRunBeyondItsStepLimit) {
 // forces of K V / omega beyond 1e308 N: no number is left, and that is said
 TEST_P(EngineContract, SaysWhenANumberLeavesDoublePrecision) {
     Case c = with(GetParam(), {});
-    if (!GetParam().starts_stuck) c.contact.preload = 1e305;  // what slides at once is not dragged along
+    if (!GetParam().starts_stuck) c.contact().preload = 1e305;  // what slides at once is not dragged along
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = 1e305;
     c.run.initial = parameters::Initial::stuck;
@@ -314,7 +314,7 @@ TEST_P(EngineContract, MirrorsBitForBit) {
     rc::detail::checkGTest([&] {
         const Case c = with(GetParam(), support::any_constant_case());
         Case mirrored = c;
-        mirrored.joint.incidence_angle = 180.0 - c.joint.incidence_angle;
+        mirrored.joint().incidence_angle = 180.0 - c.joint().incidence_angle;
         mirrored.drive.velocity = -c.drive.velocity;
         const Motion here = moved(c, everything(c));
         const Motion there = moved(mirrored, everything(mirrored));
@@ -335,10 +335,10 @@ TEST_P(EngineContract, ScalesWithPreloadAndDriveBitForBit) {
         const Case c = with(GetParam(), is_constant ? support::any_constant_case() : support::any_sinusoidal_case());
         const double factor = std::ldexp(1.0, *support::whole_between(-20, 20));
         Case larger = c;
-        larger.contact.preload *= factor;
+        larger.contact().preload *= factor;
         larger.drive.velocity *= factor;
         larger.drive.amplitude *= factor;
-        larger.contact.friction_slope /= factor;  // velocities are larger
+        larger.contact().friction_slope /= factor;  // velocities are larger
         const Motion here = moved(c, everything(c));
         const Motion there = moved(larger, everything(larger));
         RC_ASSERT(same_times(here.record, there.record));
@@ -354,7 +354,7 @@ TEST_P(EngineContract, ScalesWithPreloadAndDriveBitForBit) {
 // upright, the joint is the mass on a belt: N = F whatever it does
 TEST_P(EngineContract, UprightJointIsPressedByThePreloadAlone) {
     Case c = with(GetParam(), parameters::paper_case(parameters::PaperCase::squeak));
-    c.joint.incidence_angle = 90.0;
+    c.joint().incidence_angle = 90.0;
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = c.run.window = 0.05;
     const Motion motion = moved(c, everything(c));

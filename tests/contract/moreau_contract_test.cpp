@@ -11,8 +11,8 @@ void choose_moreau(parameters::Case& c) {
 
 void choose_falling_moreau(parameters::Case& c) {
     choose_moreau(c);
-    c.contact.friction = parameters::FrictionKind::linear;
-    c.contact.friction_slope = 0.05;
+    c.contact().friction = parameters::FrictionKind::linear;
+    c.contact().friction_slope = 0.05;
 }
 
 void choose_massless(parameters::Case& c) {

@@ -43,7 +43,7 @@ Case with_short_window(Case c) {
 // with the paper's time stepping, a fiftieth of its stable step
 Case with_steps(Case c) {
     c.run.engine = parameters::Engine::beta_2;
-    c.contact.impact = parameters::ImpactKind::plastic;
+    c.contact().impact = parameters::ImpactKind::plastic;
     c.run.step = std::min(0.02 * integration::cost(c).step_limit, 1e-3 * c.run.duration);
     return c;
 }
@@ -70,7 +70,7 @@ std::string failure_of(const Case& c) {
         if (reason == Reason::diverged && has_outgrown_numbers(motion)) return {};
         // a bounce that loses nothing under a growing force comes ever faster, and never rests
         const bool bounces_for_ever =
-            c.contact.impact == parameters::ImpactKind::restitution && c.contact.restitution == 1.0;
+            c.contact().impact == parameters::ImpactKind::restitution && c.contact().restitution == 1.0;
         if (reason == Reason::chattering && bounces_for_ever) return {};
         if (reason != Reason::completed && reason != Reason::settled)
             return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
@@ -123,7 +123,7 @@ TEST(ExactFuzz, GivesFiguresThatAgreeInWildCases) {
 // what is written of a failure is no more than it takes
 TEST(Shrinking, KeepsWhatTheFailureNeeds) {
     const auto fails = [](const Case& c) {
-        return c.contact.preload > 123.4 && c.run.initial != parameters::Initial::rest;
+        return c.contact().preload > 123.4 && c.run.initial != parameters::Initial::rest;
     };
     int shrunk_cases = 0;
     for (std::uint64_t number = 0; number < 200; ++number) {
@@ -133,7 +133,7 @@ TEST(Shrinking, KeepsWhatTheFailureNeeds) {
         const Case plain = support::shrunk(c, fails);
         EXPECT_TRUE(fails(plain));
         Case squeal = parameters::paper_case(parameters::PaperCase::squeal);
-        squeal.contact.preload = plain.contact.preload;
+        squeal.contact().preload = plain.contact().preload;
         squeal.run.initial = plain.run.initial;
         squeal.run.perturbation = plain.run.perturbation;
         EXPECT_EQ(parameters::canonical_text(plain), parameters::canonical_text(squeal)) << number;

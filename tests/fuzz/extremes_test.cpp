@@ -51,7 +51,7 @@ Case with_drive(Case c, DriveKind kind) {
 Case with_engine(Case c, Engine engine) {
     c.run.engine = engine;
     c.run.step = 1e-5;
-    if (engine == Engine::beta_2) c.contact.impact = ImpactKind::plastic;
+    if (engine == Engine::beta_2) c.contact().impact = ImpactKind::plastic;
     return c;
 }
 
@@ -79,7 +79,7 @@ TEST(Extremes, OfEveryFieldEndSoonAndSayWhatTheyAre) {
                         if (!tries_all() && number++ % every != 0) continue;
                         Case c = with_engine(with_drive(paper_case(name), drive), engine);
                         c.run.duration = c.run.window = 0.4;
-                        if (field.name == "restitution") c.contact.impact = ImpactKind::restitution;
+                        if (field.name == "restitution") c.contact().impact = ImpactKind::restitution;
                         if (field.name == "perturbation") c.run.initial = Initial::sliding;
                         try {
                             set_quantity(c, field, value);
@@ -88,9 +88,9 @@ TEST(Extremes, OfEveryFieldEndSoonAndSayWhatTheyAre) {
                         }
                         // a coefficient alone contradicts the other one
                         if (field.name == "kinetic_friction")
-                            c.contact.static_friction = std::max(value, c.contact.static_friction);
+                            c.contact().static_friction = std::max(value, c.contact().static_friction);
                         if (field.name == "static_friction")
-                            c.contact.kinetic_friction = std::min(value, c.contact.kinetic_friction);
+                            c.contact().kinetic_friction = std::min(value, c.contact().kinetic_friction);
                         if (field.name == "duration") c.run.window = std::min(c.run.window, value);
                         ++runs;
                         EXPECT_EQ(complaint(c, patience), "") << support::command_of(c);

@@ -51,7 +51,7 @@ Case lifting(std::uint64_t number) {
     auto own = std::make_shared<parameters::OwnStructure>(*c.own_structure);
     own->following.ratio = 0.002;
     c.own_structure = std::move(own);
-    c.contact.preload = 5.0;
+    c.contact().preload = 5.0;
     c.drive.velocity = 0.1;
     c.run.initial = parameters::Initial::rest;
     return lasting(c, 0.1);
@@ -78,9 +78,9 @@ Case reduced_block() {
     }
     Case c;
     c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
-    c.contact.preload = 20.0;
-    c.contact.static_friction = 0.9;
-    c.contact.kinetic_friction = 0.4;
+    c.contact().preload = 20.0;
+    c.contact().static_friction = 0.9;
+    c.contact().kinetic_friction = 0.4;
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = 0.1;
     return lasting(c, 0.05);
@@ -93,7 +93,7 @@ Case squeak_rig() {
 
 Case two_joints() {
     Case c = parameters::two_lips();
-    c.further_joints.front().joint.incidence_angle = 110.0;
+    c.joints[1].joint.incidence_angle = 110.0;
     return lasting(c, 0.2);
 }
 

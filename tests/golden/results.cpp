@@ -83,7 +83,7 @@ Case column(PaperCase which) {
 // two joints on one plate, one of them at this angle [deg], for half a second
 Case short_joints(double angle) {
     Case c = parameters::two_lips();
-    c.further_joints.front().joint.incidence_angle = angle;
+    c.joints[1].joint.incidence_angle = angle;
     c.run.duration = 0.5;
     c.run.window = 0.25;
     return c;
@@ -113,7 +113,7 @@ Case sampled_drive() {
 // a contact that opens and closes often
 Case bouncing(ImpactKind law) {
     Case c = column(PaperCase::squeak);
-    c.contact.impact = law;
+    c.contact().impact = law;
     return c;
 }
 

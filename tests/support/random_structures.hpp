@@ -69,9 +69,9 @@ inline parameters::Case random_structure(std::uint64_t number) {
     }
     parameters::Case c;
     c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
-    c.contact.preload = random.decades(1.0, 30.0);
-    c.contact.static_friction = random.between(0.4, 1.2);
-    c.contact.kinetic_friction = c.contact.static_friction * random.between(0.3, 1.0);
+    c.contact().preload = random.decades(1.0, 30.0);
+    c.contact().static_friction = random.between(0.4, 1.2);
+    c.contact().kinetic_friction = c.contact().static_friction * random.between(0.3, 1.0);
     c.drive.kind = parameters::DriveKind::constant;
     const double way = random.one_in(2) ? 1.0 : -1.0;
     c.drive.velocity = way * random.decades(0.03, 0.3);

@@ -23,8 +23,8 @@ double damping(CounterRandom& random) {
 
 // [rad/s] of mass 1 and mass 2 on their own springs
 double slowest_rate(const Case& c) {
-    const double soft = std::min(c.joint.axial_stiffness, c.joint.flexural_stiffness);
-    return std::min(std::sqrt(soft / c.joint.mass), std::sqrt(c.plate.stiffness / c.plate.mass));
+    const double soft = std::min(c.joint().axial_stiffness, c.joint().flexural_stiffness);
+    return std::min(std::sqrt(soft / c.joint().mass), std::sqrt(c.plate.stiffness / c.plate.mass));
 }
 
 void choose_drive(Case& c, CounterRandom& random) {
@@ -66,12 +66,12 @@ void choose_drive(Case& c, CounterRandom& random) {
 }  // namespace
 
 double fastest_rate(const Case& c) {
-    const double stiff = std::max(c.joint.axial_stiffness, c.joint.flexural_stiffness);
-    const double damped = std::max(c.joint.axial_damping, c.joint.flexural_damping);
-    const double vibration = std::sqrt((stiff + c.plate.stiffness) / std::min(c.joint.mass, c.plate.mass) *
-                                       (1.0 + c.contact.kinetic_friction));
+    const double stiff = std::max(c.joint().axial_stiffness, c.joint().flexural_stiffness);
+    const double damped = std::max(c.joint().axial_damping, c.joint().flexural_damping);
+    const double vibration = std::sqrt((stiff + c.plate.stiffness) / std::min(c.joint().mass, c.plate.mass) *
+                                       (1.0 + c.contact().kinetic_friction));
     const double decay =
-        (damped + c.plate.damping) / std::min(c.joint.mass, c.plate.mass) * (1.0 + c.contact.kinetic_friction);
+        (damped + c.plate.damping) / std::min(c.joint().mass, c.plate.mass) * (1.0 + c.contact().kinetic_friction);
     const double drive = c.drive.kind == DriveKind::sinusoidal ? 6.28 * c.drive.frequency : 0.0;
     return std::max({vibration, decay, drive});
 }
@@ -79,36 +79,36 @@ double fastest_rate(const Case& c) {
 Case wild_case(std::uint64_t number) {
     CounterRandom random(number);
     Case c;
-    c.joint.mass = random.decades(1e-3, 1e2);
-    c.joint.axial_stiffness = random.decades(1e3, 1e9);
-    c.joint.flexural_stiffness = random.one_in(8) ? c.joint.axial_stiffness : random.decades(1e3, 1e9);
-    c.joint.axial_damping = damping(random);
-    c.joint.flexural_damping = damping(random);
-    c.joint.incidence_angle = any_angle(random);
-    c.plate.mass = random.one_in(8) ? c.joint.mass : random.decades(1e-3, 1e2);
+    c.joint().mass = random.decades(1e-3, 1e2);
+    c.joint().axial_stiffness = random.decades(1e3, 1e9);
+    c.joint().flexural_stiffness = random.one_in(8) ? c.joint().axial_stiffness : random.decades(1e3, 1e9);
+    c.joint().axial_damping = damping(random);
+    c.joint().flexural_damping = damping(random);
+    c.joint().incidence_angle = any_angle(random);
+    c.plate.mass = random.one_in(8) ? c.joint().mass : random.decades(1e-3, 1e2);
     c.plate.stiffness = random.decades(1e3, 1e9);
     c.plate.damping = damping(random);
-    c.contact.preload = random.decades(1e-3, 1e5);
-    c.contact.static_friction = random.one_in(8) ? 0.0 : random.between(0.0, 3.0);
-    c.contact.kinetic_friction = random.one_in(4)   ? c.contact.static_friction
-                                 : random.one_in(6) ? 0.0
-                                                    : c.contact.static_friction * random.between(0.0, 1.0);
-    c.contact.impact =
+    c.contact().preload = random.decades(1e-3, 1e5);
+    c.contact().static_friction = random.one_in(8) ? 0.0 : random.between(0.0, 3.0);
+    c.contact().kinetic_friction = random.one_in(4)   ? c.contact().static_friction
+                                   : random.one_in(6) ? 0.0
+                                                      : c.contact().static_friction * random.between(0.0, 1.0);
+    c.contact().impact =
         std::array{ImpactKind::plastic, ImpactKind::normal_only, ImpactKind::restitution}[random.below(3)];
-    c.contact.restitution = random.one_in(6) ? static_cast<double>(random.below(2)) : random.between(0.0, 1.0);
+    c.contact().restitution = random.one_in(6) ? static_cast<double>(random.below(2)) : random.between(0.0, 1.0);
     c.run.initial = std::array{Initial::rest, Initial::stuck, Initial::sliding}[random.below(3)];
     c.run.perturbation = random.one_in(4) ? 0.0 : random.decades(1e-6, 1e2);
 
-    c.contact.kinetic_friction = std::min(c.contact.kinetic_friction, c.contact.static_friction);
+    c.contact().kinetic_friction = std::min(c.contact().kinetic_friction, c.contact().static_friction);
     const double most_steps = random.decades(30.0, 3000.0);
     c.run.duration = std::min(20.0 * 6.28 / slowest_rate(c), most_steps / fastest_rate(c));
     c.run.window = c.run.duration;
     choose_drive(c, random);
     c.run.engine = Engine::exact;
     if (random.one_in(5)) {
-        c.contact.friction = FrictionKind::directional;
-        c.contact.static_friction_coming = c.contact.static_friction * random.between(0.1, 1.0);
-        c.contact.kinetic_friction_coming = c.contact.static_friction_coming * random.between(0.0, 1.0);
+        c.contact().friction = FrictionKind::directional;
+        c.contact().static_friction_coming = c.contact().static_friction * random.between(0.1, 1.0);
+        c.contact().kinetic_friction_coming = c.contact().static_friction_coming * random.between(0.0, 1.0);
     }
     return c;
 }

@@ -54,8 +54,8 @@ bool is_crossed(const std::vector<Boundary>& lines, std::size_t direction, Cross
         if (line.direction != direction) continue;
         for (const BoundaryVertex& vertex : line.vertices) {
             const bool is_along_x = along == Crossing::along_x;
-            const bool is_here = is_along_x ? std::abs(vertex.y - squeal.contact.kinetic_friction) < 1e-9
-                                            : std::abs(vertex.x - squeal.contact.preload) < 1e-9;
+            const bool is_here = is_along_x ? std::abs(vertex.y - squeal.contact().kinetic_friction) < 1e-9
+                                            : std::abs(vertex.x - squeal.contact().preload) < 1e-9;
             const double off = is_along_x ? std::abs(vertex.x - value) / vertex.x_resolution
                                           : std::abs(vertex.y - value) / vertex.y_resolution;
             if (vertex.crossing == along && is_here && off <= 1.0 + 1e-9) return true;

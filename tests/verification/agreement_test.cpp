@@ -49,10 +49,10 @@ Case random_joints(std::uint64_t number) {
         one.kinetic_friction = one.static_friction * random.between(0.2, 1.0);
         return one;
     };
-    c.joint = joint();
-    c.contact = contact();
+    c.joint() = joint();
+    c.contact() = contact();
     for (std::size_t k = random.below(2); k < 2; ++k)
-        c.further_joints.push_back({fmt::format("lip{}", k + 1), joint(), contact()});
+        c.joints.push_back({joint(), contact(), fmt::format("lip{}", k + 1)});
     c.drive.kind = parameters::DriveKind::constant;
     const double way = random.one_in(2) ? 1.0 : -1.0;
     c.drive.velocity = way * random.decades(0.02, 0.3);
@@ -172,12 +172,13 @@ TEST(Engines, GoOnWhereMirroredNodesOfABlockLift) {
 // one limit cycle of nine unequal beats, 110 times a second
 TEST(Engines, AgreeOnACycleOfUnequalBeats) {
     Case c;
-    c.contact.preload = 50.0;
-    c.contact.static_friction = 0.9;
-    c.contact.kinetic_friction = 0.55;
-    c.joint.incidence_angle = 110.0;
-    c.further_joints.push_back({"second", c.joint, c.contact});
-    c.further_joints.front().joint.incidence_angle = 70.0;
+    c.contact().preload = 50.0;
+    c.contact().static_friction = 0.9;
+    c.contact().kinetic_friction = 0.55;
+    c.joint().incidence_angle = 110.0;
+    c.joints.push_back(c.joints.front());
+    c.joints[1].name = "second";
+    c.joints[1].joint.incidence_angle = 70.0;
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = -0.05;
     c.run.step = 1e-6;

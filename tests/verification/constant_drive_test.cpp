@@ -50,7 +50,7 @@ Periods by_independent_engine(const Case& c, ContactState state) {
 
 Case stick_slip_case(double preload) {
     Case c = constant_case(PaperCase::squeak, -0.1257);
-    c.contact.preload = preload;
+    c.contact().preload = preload;
     c.run.duration = 2.0;
     c.run.window = 1.0;
     return c;

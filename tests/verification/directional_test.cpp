@@ -53,11 +53,11 @@ TEST(Directional, WithTheSameCoefficientsBothWaysIsCoulombs) {
         c.drive = support::constant_drive(0.1);
         const record::Request request{record::KeepHistory::yes, {}};
         const auto coulomb = integration::simulate(c, request).record.histories.front();
-        c.contact.friction = parameters::FrictionKind::directional;
-        c.contact.static_friction_coming = c.contact.static_friction;
-        c.contact.kinetic_friction_coming = c.contact.kinetic_friction;
+        c.contact().friction = parameters::FrictionKind::directional;
+        c.contact().static_friction_coming = c.contact().static_friction;
+        c.contact().kinetic_friction_coming = c.contact().kinetic_friction;
         expect_same(integration::simulate(c, request).record.histories.front(), coulomb);
-        c.contact.kinetic_friction_coming = 0.1;
+        c.contact().kinetic_friction_coming = 0.1;
         EXPECT_NE(integration::simulate(c, request).record.histories.front().size(), coulomb.size());
     }
 }

@@ -20,10 +20,10 @@ using record::Future;
 
 Case lips(double kinetic_friction, double first_angle, double second_angle) {
     Case c = parameters::two_lips();
-    c.contact.kinetic_friction = kinetic_friction;
-    c.joint.incidence_angle = first_angle;
-    c.further_joints.front().contact.kinetic_friction = kinetic_friction;
-    c.further_joints.front().joint.incidence_angle = second_angle;
+    c.contact().kinetic_friction = kinetic_friction;
+    c.joint().incidence_angle = first_angle;
+    c.joints[1].contact.kinetic_friction = kinetic_friction;
+    c.joints[1].joint.incidence_angle = second_angle;
     return c;
 }
 
@@ -81,8 +81,8 @@ TEST(EarlyEnding, OfTwoLipsThatSlipForEverIsTheirVibrationDyingAway) {
 RC_GTEST_PROP(EarlyEnding, AgreesWithTheWholeRunOfAnyTwoLips, ()) {
     Case c = lips(0.01 * *support::whole_between(5, 80), *support::number_between(20, 160),
                   *support::number_between(20, 160));
-    c.contact.preload = *support::number_between(20, 400);
-    c.plate.damping = c.joint.flexural_damping = 10.0;
+    c.contact().preload = *support::number_between(20, 400);
+    c.plate.damping = c.joint().flexural_damping = 10.0;
     c.drive.velocity = *rc::gen::element(-0.3, -0.1, 0.1, 0.3);
     c.run.duration = 0.6;
     c.run.window = 0.3;

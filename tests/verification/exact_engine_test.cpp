@@ -62,7 +62,7 @@ double share(const record::Record& record, std::size_t state) {
 TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
     for (const auto& [preload, fraction, period] : verification::stick_slips) {
         Case c = evenly_driven(PaperCase::squeak, -0.1257, 2.0);
-        c.contact.preload = preload;
+        c.contact().preload = preload;
         c.run.window = 1.0;
         const Motion motion = integration::simulate(c, with_history);
         EXPECT_NEAR(share(motion.record, stick_index), fraction, 2e-6) << preload;
@@ -162,8 +162,8 @@ TEST(ExactSampledDrive, ComesNearTheSineItIsSampledFrom) {
 
 Case bouncing(parameters::ImpactKind law, double restitution) {
     Case c = evenly_driven(PaperCase::squeal, 0.1257, 0.2);
-    c.contact.impact = law;
-    c.contact.restitution = restitution;
+    c.contact().impact = law;
+    c.contact().restitution = restitution;
     return c;
 }
 
@@ -279,7 +279,7 @@ TEST(ExactImpacts, WithoutReboundArePlasticBitForBit) {
 TEST(ExactImpacts, SeparationShareDependsOnTheirLaw) {
     Case c = parameters::paper_case(PaperCase::squeal);
     EXPECT_NEAR(share(integration::simulate(c).record, separation_index), 0.386, 0.005);
-    c.contact.impact = parameters::ImpactKind::normal_only;
+    c.contact().impact = parameters::ImpactKind::normal_only;
     EXPECT_NEAR(share(integration::simulate(c).record, separation_index), 0.488, 0.005);
 }
 

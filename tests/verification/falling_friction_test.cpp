@@ -80,10 +80,10 @@ TEST(FallingFriction, IsInTheEigenvaluesOfSliding) {
 // upright the joint is a mass on a belt; the verdict of a case knows the growth, too
 TEST(FallingFriction, EntersACaseByItsName) {
     parameters::Case upright;
-    upright.joint.incidence_angle = 90.0;
+    upright.joint().incidence_angle = 90.0;
     upright.drive = support::constant_drive(V);
-    upright.contact.friction = parameters::FrictionKind::linear;
-    upright.contact.friction_slope = 0.5;  // beyond 1.2 m/s nothing rubs
+    upright.contact().friction = parameters::FrictionKind::linear;
+    upright.contact().friction_slope = 0.5;  // beyond 1.2 m/s nothing rubs
     upright.run.step = 1e-5;
     upright.run.initial = parameters::Initial::sliding;
     upright.run.duration = upright.run.window = 0.05;
@@ -92,7 +92,7 @@ TEST(FallingFriction, EntersACaseByItsName) {
     EXPECT_EQ(found.front().key, "contact.friction");
     EXPECT_EQ(found.front().problem.what, "the exact engine knows no friction that changes with the slip velocity");
     const double expected =
-        (upright.contact.preload * 0.5 - upright.joint.flexural_damping) / (2.0 * upright.joint.mass);
+        (upright.contact().preload * 0.5 - upright.joint().flexural_damping) / (2.0 * upright.joint().mass);
     for (const auto engine : {parameters::Engine::beta_2, parameters::Engine::moreau}) {
         upright.run.engine = engine;
         EXPECT_TRUE(parameters::findings(upright).empty());

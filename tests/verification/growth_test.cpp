@@ -27,16 +27,16 @@ using parameters::Engine;
 // a stiff thin lip on a plate whose sliding grows with 0.43 1/s
 Case slow_flutter() {
     Case c;
-    c.joint = {.mass = 0.003194984866379582,
-               .axial_stiffness = 356509.2506029938,
-               .flexural_stiffness = 16345.72687093736,
-               .axial_damping = 0.9509559175789475,
-               .flexural_damping = 0.5379136942492496,
-               .incidence_angle = 92.564633316569};
+    c.joint() = {.mass = 0.003194984866379582,
+                 .axial_stiffness = 356509.2506029938,
+                 .flexural_stiffness = 16345.72687093736,
+                 .axial_damping = 0.9509559175789475,
+                 .flexural_damping = 0.5379136942492496,
+                 .incidence_angle = 92.564633316569};
     c.plate = {.mass = 0.8218200848946559, .stiffness = 141153.64250004108, .damping = 10.950046038028646};
-    c.contact.preload = 12.099162342109164;
-    c.contact.static_friction = 0.5986406453844396;
-    c.contact.kinetic_friction = 0.3815892717615782;
+    c.contact().preload = 12.099162342109164;
+    c.contact().static_friction = 0.5986406453844396;
+    c.contact().kinetic_friction = 0.3815892717615782;
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = -0.4755835122063232;
     c.run.duration = 1.0;
@@ -82,10 +82,11 @@ TEST(SlowFlutter, IsUndecidedUntilItHasGrownWhateverTheEngine) {
 TEST(SlowFlutter, OfSeveralJointsIsUndecided) {
     Case c = slow_flutter();
     // two halves of it move as the whole
-    for (double* each : {&c.joint.mass, &c.joint.axial_stiffness, &c.joint.flexural_stiffness, &c.joint.axial_damping,
-                         &c.joint.flexural_damping, &c.contact.preload})
+    for (double* each : {&c.joint().mass, &c.joint().axial_stiffness, &c.joint().flexural_stiffness,
+                         &c.joint().axial_damping, &c.joint().flexural_damping, &c.contact().preload})
         *each *= 0.5;
-    c.further_joints.push_back({.name = "other", .joint = c.joint, .contact = c.contact});
+    c.joints.push_back(c.joints.front());
+    c.joints[1].name = "other";
     const Motion motion = integration::simulate(c);
     EXPECT_EQ(verdict(c, motion).category, Category::undecided);
     EXPECT_NEAR(motion.record.phases.front().contacts.back().ending.outlook.growth, 0.430, 5e-4);
@@ -96,7 +97,7 @@ TEST(Growth, OfAnyStructureIsNeverQuietBecauseItSlides) {
     int unstable = 0, stable = 0;
     for (std::uint64_t number = 0; number < support::effort<std::uint64_t>(400, 20); ++number) {
         Case c = support::random_structure(number);
-        c.contact.kinetic_friction = c.contact.static_friction;  // nothing jumps: some slide for long
+        c.contact().kinetic_friction = c.contact().static_friction;  // nothing jumps: some slide for long
         c.run.initial = parameters::Initial::rest;
         c.run.duration = 0.03;
         c.run.window = 0.015;

@@ -52,7 +52,7 @@ TEST(ObservedOrder, OnTheBeltIsOneAboveIt) {
 // plate displacement of the paper's system, sliding without flutter, at 5 ms
 double plate_displacement(double h, double beta_2) {
     parameters::Case c;
-    c.contact.kinetic_friction = 0.3;
+    c.contact().kinetic_friction = 0.3;
     c.drive = support::constant_drive(10.0);
     c.run.initial = parameters::Initial::sliding;
     c.run.perturbation = 0.01;

@@ -198,9 +198,9 @@ TEST(OwnStructure, LipHasForcesWhereItsMirroredNodesSlipTogether) {
          {Friction{0.3, 0.3, 4.0, 0.1}, Friction{0.3, 0.24, 16.0, 0.1}, Friction{0.5, 0.4, 16.0, 0.03},
           Friction{1.1, 0.55, 16.0, 0.1}, Friction{1.1, 1.1, 0.5, 0.1}, Friction{1.1, 1.1, 4.0, 0.1}}) {
         parameters::Case c = io::read_case(io::TomlSource{text, "lip.toml", {}});
-        c.contact.static_friction = each.stick;
-        c.contact.kinetic_friction = each.slip;
-        c.contact.preload = each.preload;
+        c.contact().static_friction = each.stick;
+        c.contact().kinetic_friction = each.slip;
+        c.contact().preload = each.preload;
         c.drive.velocity = each.velocity;
         c.run.early_ending = parameters::EarlyEnding::never;
         const Motion motion = integration::simulate(c);

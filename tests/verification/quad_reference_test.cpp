@@ -99,7 +99,7 @@ double time_in(ContactState state, const record::ContactHistory& history, double
 TEST(QuadReference, GivesThePublishedDigitsOfStickSlip) {
     for (const verification::StickSlip& known : std::span(verification::stick_slips).first(support::effort(3U, 1U))) {
         Case c = constant_case(PaperCase::squeak, -0.1257, 2.0);
-        c.contact.preload = known.preload;
+        c.contact().preload = known.preload;
         c.run.initial = parameters::Initial::stuck;
         const record::ContactHistory history = quad_reference(c).history;
         // half a unit of the last digit printed
@@ -112,12 +112,12 @@ TEST(QuadReference, GivesThePublishedDigitsOfStickSlip) {
 // at 90 deg x and y part: N = F, and the joint is the mass on a belt
 TEST(QuadReference, SticksAndSlipsAsTheClosedFormOfTheBelt) {
     Case c = constant_case(PaperCase::creak, 0.05, 0.1);
-    c.joint.incidence_angle = 90.0;
-    c.joint.axial_damping = c.joint.flexural_damping = c.plate.damping = 0.0;
+    c.joint().incidence_angle = 90.0;
+    c.joint().axial_damping = c.joint().flexural_damping = c.plate.damping = 0.0;
     c.run.initial = parameters::Initial::stuck;
-    const double w0 = std::sqrt(c.joint.flexural_stiffness / c.joint.mass);
-    const double lag = (c.contact.static_friction - c.contact.kinetic_friction) * c.contact.preload;  // [N]
-    const double lambda = w0 * lag / c.joint.flexural_stiffness / c.drive.velocity;
+    const double w0 = std::sqrt(c.joint().flexural_stiffness / c.joint().mass);
+    const double lag = (c.contact().static_friction - c.contact().kinetic_friction) * c.contact().preload;  // [N]
+    const double lambda = w0 * lag / c.joint().flexural_stiffness / c.drive.velocity;
     const double stick = 2.0 * lambda / w0, slip = 2.0 * (pi - std::atan(lambda)) / w0;
     const record::ContactHistory history = quad_reference(c).history;
     ASSERT_GE(history.size(), 4U);
@@ -170,7 +170,7 @@ TEST(QuadReference, AgreesWithTheIndependentEngine) {
 // without a jump of the friction force w leaves zero with w' = 0 too: a double root
 TEST(QuadReference, ReleasesAContactWithoutAJumpOfTheFrictionForce) {
     Case c = constant_case(PaperCase::squeal, 0.1, 0.1);
-    c.contact.kinetic_friction = c.contact.static_friction;
+    c.contact().kinetic_friction = c.contact().static_friction;
     const record::ContactHistory history = quad_reference(c).history;
     int releases = 0;
     for (std::size_t k = 1; k < history.size(); ++k)
@@ -181,18 +181,18 @@ TEST(QuadReference, ReleasesAContactWithoutAJumpOfTheFrictionForce) {
 
 TEST(QuadReference, LeavesAnImpactInsideTheFrictionCone) {
     const Case c = constant_case(PaperCase::squeal, 0.1, 0.1);
-    const double reduced = c.joint.mass * c.plate.mass / (c.joint.mass + c.plate.mass);
+    const double reduced = c.joint().mass * c.plate.mass / (c.joint().mass + c.plate.mass);
     const auto impacts = quad_reference(c).impacts;
     EXPECT_GT(impacts.size(), 10U);
     for (const support::QuadImpact& impact : impacts) {
         EXPECT_LT(impact.gap_velocity, 0.0);
         EXPECT_EQ(impact.rebound_velocity, 0.0);
-        const double to_stop = std::abs(impact.slip_before) * c.joint.mass;  // [N s]
-        const double normal = -reduced * impact.gap_velocity;                // [N s]
-        const bool stops = to_stop <= c.contact.static_friction * normal;
-        const double change = stops ? to_stop : c.contact.kinetic_friction * normal;
-        EXPECT_NEAR((impact.slip_before - impact.slip_after) * c.joint.mass, std::copysign(change, impact.slip_before),
-                    1e-17);
+        const double to_stop = std::abs(impact.slip_before) * c.joint().mass;  // [N s]
+        const double normal = -reduced * impact.gap_velocity;                  // [N s]
+        const bool stops = to_stop <= c.contact().static_friction * normal;
+        const double change = stops ? to_stop : c.contact().kinetic_friction * normal;
+        EXPECT_NEAR((impact.slip_before - impact.slip_after) * c.joint().mass,
+                    std::copysign(change, impact.slip_before), 1e-17);
     }
 }
 

@@ -61,7 +61,7 @@ TEST(QuietLip, UnderASinusoidalDriveDoesNotCreakForItsFirstStroke) {
     c.drive.amplitude = 0.5e-3;
     c.drive.frequency = 12.0;
     for (const double preload : {0.5, 1.0, 2.0, 5.0}) {
-        c.contact.preload = preload;
+        c.contact().preload = preload;
         for (const Verdict& result : verdicts(c)) {
             EXPECT_EQ(result.category, Category::none) << preload;
             // the swing of 5 N and what the first slip has left is ten times a small preload
@@ -79,8 +79,8 @@ TEST(NoisyLip, SquealsComingWhereItDoesNotLock) {
 // a creak of 1.1 s looked at for half a second is stuck throughout: that is no silence
 TEST(SlowCreak, IsUndecidedWhileTheRunIsTooShortAndCreakOnceItIsNot) {
     Case c = support::seal_lip();
-    c.joint.incidence_angle = 90.0;
-    c.contact.kinetic_friction = 0.4;
+    c.joint().incidence_angle = 90.0;
+    c.contact().kinetic_friction = 0.4;
     c.drive.velocity = 5e-3;
     c.run.initial = parameters::Initial::stuck;
     const Verdict early = verdict(c);
@@ -94,11 +94,12 @@ TEST(SlowCreak, IsUndecidedWhileTheRunIsTooShortAndCreakOnceItIsNot) {
 // three lips on one plate: the one that leans into the motion locks, and pushes the plate away from the others
 TEST(LockingLip, PushesThePlateAwayFromItsNeighbours) {
     Case c = support::seal_lip();
-    c.joint_name = "lip1";
+    c.joints[0].name = "lip1";
     for (const double angle : {120.0, 110.0}) {
-        parameters::FurtherJoint further{"lip" + std::to_string(c.further_joints.size() + 2), c.joint, c.contact};
+        parameters::PlateJoint further = c.joints.front();
+        further.name = "lip" + std::to_string(c.joints.size() + 1);
         further.joint.incidence_angle = angle;
-        c.further_joints.push_back(further);
+        c.joints.push_back(further);
     }
     c.run.duration = c.run.window = 3.0;
     const Verdict result = verdict(c);

@@ -76,7 +76,7 @@ void draw_paper(const PaperOptions& options) {
     {
         const Interrupt interrupt;
         const Case squeal = parameters::paper_case(PaperCase::squeal);
-        draw_and_tell(pictures::friction_law(squeal.contact), options, "figure-3", "friction law");
+        draw_and_tell(pictures::friction_law(squeal.contact()), options, "figure-3", "friction law");
         draw_and_tell(pictures::motion_scene(
                           squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
                       options, "figure-5", "time history of the squeal case with its contact states");

@@ -93,7 +93,7 @@ report::DesignResults results_of(const io::TomlSource& source, const parameters:
     asked.crew = crews(options.threads);
     asked.stop = interrupt.token();
     std::optional<sweep::Study> study;
-    if (options.has_chart && c.contact.static_friction > 0.0)
+    if (options.has_chart && c.contact().static_friction > 0.0)
         study = report::chart_to_report(source, c, options.axes, options.points, asked.runs);
     const report::PartTime longest(base::parse_quantity(options.longest, "s"));
     report::DesignResults results;

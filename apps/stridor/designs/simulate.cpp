@@ -83,7 +83,7 @@ void simulate(const SimulateOptions& options) {
                                 : console::simulation_text(c, motion, verdicts));
     if (!options.json && console::has_terminal() && !c.own_structure)
         console::say(console::styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}",
-                                                 options.input.file, c.contact.static_friction),
+                                                 options.input.file, c.contact().static_friction),
                                      console::Style::dim, STDERR_FILENO));
 }
 

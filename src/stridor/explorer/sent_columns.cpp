@@ -24,7 +24,7 @@ std::vector<SentDof> dofs_of(const parameters::Case& c) {
     std::vector<SentDof> dofs;
     for (std::size_t dof = 0; dof < names.size(); ++dof)
         dofs.push_back({names[dof], std::string(io::dof_sentences[dof])});
-    if (c.further_joints.empty()) return dofs;
+    if (!parameters::has_several_joints(c)) return dofs;
     names = io::dof_names(c);
     const SentDof plate = dofs.back();
     dofs.pop_back();

@@ -65,7 +65,7 @@ namespace {
 int chart_points(const parameters::Case& c) {
     constexpr double wait = 40.0;  // [s] of one core, for a chart
     constexpr int fewest = 8, most = 24, of_joints = 64, of_several = 16;
-    if (!c.own_structure) return c.further_joints.empty() ? of_joints : of_several;
+    if (!c.own_structure) return !parameters::has_several_joints(c) ? of_joints : of_several;
     return static_cast<int>(std::clamp(std::sqrt(wait / structure_seconds(c)), double{fewest}, double{most}));
 }
 

@@ -62,15 +62,15 @@ inline Json quiet_word(classification::Quiet quiet) {
 }
 
 // the members of a section, or of all but [joint] and [contact], that belong to a case
-inline void put_fields(Json& object, const parameters::Case& c, bool (*is_wanted)(const parameters::Field&)) {
+inline void put_fields(Json& object, parameters::CaseView at, bool (*is_wanted)(const parameters::Field&)) {
     for (const parameters::Field& field : parameters::fields()) {
-        if (!field.belongs(c) || !is_wanted(field)) continue;
+        if (!field.belongs(at) || !is_wanted(field)) continue;
         Json& section = field.section.empty() ? object : object[std::string(field.section)];
         const std::string name(field.name);
         if (std::holds_alternative<parameters::Quantity>(field.kind))
-            section[name] = parameters::get_quantity(c, field);
+            section[name] = parameters::get_quantity(at, field);
         else
-            section[name] = parameters::value_text(c, field);
+            section[name] = parameters::value_text(at, field);
     }
 }
 
@@ -79,7 +79,7 @@ inline Json joints_array(const parameters::Case& c) {
     Json joints = Json::array();
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
         Json parts = Json::object();
-        put_fields(parts, parameters::alone(c, k), parameters::is_of_joint);
+        put_fields(parts, {c, k}, parameters::is_of_joint);
         Json joint{{"name", parameters::joint_name(c, k)}};
         joint.update(parts["joint"]);
         joint["contact"] = parts["contact"];
@@ -128,7 +128,7 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
 /// meaning for the case are left out.
 inline Json case_object(const parameters::Case& c) {
     Json object = Json::object();
-    if (c.further_joints.empty()) {
+    if (!parameters::has_several_joints(c)) {
         put_fields(object, c, [](const parameters::Field&) { return true; });
     } else {
         put_fields(object, c, [](const parameters::Field& field) { return !parameters::is_of_joint(field); });

@@ -21,7 +21,8 @@ Structure joints_on_plate(std::span<const PlateJoint> joints, const parameters::
     const int last = 2 * count;
     Structure structure = structure_of_size(last + 1, count);
     for (int k = 0; k < count; ++k) {
-        const auto& [joint, rubbed] = joints[static_cast<std::size_t>(k)];
+        const parameters::Joint& joint = joints[static_cast<std::size_t>(k)].joint;
+        const parameters::Contact& rubbed = joints[static_cast<std::size_t>(k)].contact;
         ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
         const base::SineCosine angle = base::sine_cosine_of_degrees(joint.incidence_angle);
         const int along = 2 * k;

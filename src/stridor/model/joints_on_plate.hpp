@@ -7,11 +7,7 @@
 
 namespace stridor::model {
 
-/// A joint that rubs on a plate, and its contact.
-struct PlateJoint {
-    parameters::Joint joint;
-    parameters::Contact contact;
-};
+using parameters::PlateJoint;
 
 /// Returns several joints on one plate: the rubbing system of Elmaian et al. (2012), Figure 1, with more than one mass
 /// 1.

@@ -52,7 +52,7 @@ void add(Noises& noises, const System& system, std::initializer_list<Row> rows) 
         StarterNoise noise{system.name,     system.parts, system.materials, row.operation,
                            row.temperature, row.humidity, system.base};
         noise.c.title = std::string(system.name) + ": " + std::string(row.operation);
-        noise.c.contact = Contact{
+        noise.c.contact() = Contact{
             .preload = row.preload, .static_friction = row.static_friction, .kinetic_friction = row.kinetic_friction};
         noise.c.drive.velocity = row.velocity;
         noises.push_back(std::move(noise));
@@ -62,7 +62,7 @@ void add(Noises& noises, const System& system, std::initializer_list<Row> rows) 
 // a second half is judged, as of the soft parts; both are heard
 Case sliding(const Joint& joint, const Plate& plate, double duration) {
     Case c;
-    c.joint = joint;
+    c.joint() = joint;
     c.plate = plate;
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = duration;
@@ -72,7 +72,7 @@ Case sliding(const Joint& joint, const Plate& plate, double duration) {
 
 Case to_and_fro(const Joint& joint, const Plate& plate, double amplitude, double frequency) {
     Case c;
-    c.joint = joint;
+    c.joint() = joint;
     c.plate = plate;
     c.drive.amplitude = amplitude;
     c.drive.frequency = frequency;
@@ -267,7 +267,7 @@ Entry given(const StarterNoise& noise, const std::string& contact, const std::st
     entry.materials = noise.materials;
     entry.operation = noise.operation;
     entry.recorded = "simulation";
-    entry.preload = noise.c.contact.preload;
+    entry.preload = noise.c.contact().preload;
     entry.velocity = peak_velocity(drive);
     entry.velocity_profile = profile_of(drive);
     entry.temperature = noise.temperature;

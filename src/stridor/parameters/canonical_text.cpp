@@ -14,27 +14,26 @@ namespace stridor::parameters {
 namespace {
 
 // does a line of it stand in the canonical text?
-bool is_canonical(const Case& c, const Field& field) {
+bool is_canonical(CaseView at, const Field& field) {
     const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
-    const bool follows = temperature_column(c, key_of(field)) != nullptr;
+    const bool follows = temperature_column(at, field) != nullptr;
     const bool is_content = is_of_builder(field);  // structure.content says it
-    return field.belongs(c) && !names_a_thing && !is_content && !follows && !goes_without_saying(c, field);
+    return field.belongs(at) && !names_a_thing && !is_content && !follows && !goes_without_saying(at, field);
 }
 
 // "joint.lip2.mass = 0.1 kg", "joint.lip2.contact.preload = 20 N"
 std::string joint_lines(const Case& c, std::size_t joint) {
-    const Case only = alone(c, joint);
     std::string text;
     for (const Field& field : fields())
-        if (is_of_joint(field) && is_canonical(only, field))
-            text += key_of_joint(field, joint_name(c, joint)) + " = " + value_text(only, field) + "\n";
+        if (is_of_joint(field) && is_canonical({c, joint}, field))
+            text += key_of_joint(field, joint_name(c, joint)) + " = " + value_text({c, joint}, field) + "\n";
     return text;
 }
 
 }  // namespace
 
 std::string canonical_text(const Case& c) {
-    const bool has_several = !c.further_joints.empty();
+    const bool has_several = has_several_joints(c);
     std::string text;
     for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
         text += joint_lines(c, joint);

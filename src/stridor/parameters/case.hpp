@@ -3,6 +3,7 @@
 #include "stridor/parameters/drive.hpp"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,15 +31,6 @@ struct Plate {
     double mass = 0.4;       // [kg] m2
     double stiffness = 1e6;  // [N/m] k2y
     double damping = 1.0;    // [N*s/m] c2y
-};
-
-/// Dampings that are known as a share of the critical damping of their own spring and mass, zeta = c / (2 sqrt(k m)).
-/// Who sets a stiffness or mass through its field keeps these shares and changes the damping with it; empty: the
-/// damping is a number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
-struct DampingRatios {
-    std::optional<double> axial{};     // [1] of joint.axial_damping: with m1 and k1i
-    std::optional<double> flexural{};  // [1] of joint.flexural_damping: with m1 and k1j
-    std::optional<double> plate{};     // [1] of plate.damping: with m2 and k2y
 };
 
 /// One property by table over the temperature.
@@ -150,13 +142,17 @@ struct Thresholds {
     double least_distance = 2.0;  // [1] errors of a figure; one that lies nearer to its threshold makes it `undecided`
 };
 
-/// Another joint on the same plate, with its own contact and its dampings as shares of critical.
-struct FurtherJoint {
-    std::string name;  // "lip2", by which keys call it: "joint.lip2.mass"
-    Joint joint;
-    Contact contact;
-    std::optional<double> axial_ratio{};     // [1] as `DampingRatios`
-    std::optional<double> flexural_ratio{};  // [1]
+/// A joint on the plate and its contact.
+///
+/// A damping may be known as a share of the critical damping of its own spring and mass, zeta = c / (2 sqrt(k m)). Who
+/// sets a stiffness or mass through its field keeps that share and changes the damping with it; empty: the damping is a
+/// number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
+struct PlateJoint {
+    Joint joint{};
+    Contact contact{};
+    std::string name{};                   // "lip2", by which keys call it: "joint.lip2.mass"; an only one may have none
+    std::optional<double> axial_ratio{};  // [1] of joint.axial_damping: with m1 and k1i
+    std::optional<double> flexural_ratio{};  // [1] of joint.flexural_damping: with m1 and k1j
 };
 
 struct OwnStructure;  // own_structure.hpp
@@ -167,22 +163,50 @@ struct StructureScales {
     double damping = 1.0;    // [1] of all its damping
 };
 
-/// One complete case: a joint on a plate, several, or a structure of the user's own in their place.
+/// One complete case: joints on a plate, or a structure of the user's own in their place.
 struct Case {
     std::string title;
-    Joint joint;
-    Plate plate;
-    Contact contact;
-    std::string joint_name{};                    // of the first joint, where there are several
-    std::vector<FurtherJoint> further_joints{};  // all but the first
-    // where there is one, joint and plate mean nothing; shared, since it is large and never changed
+    std::vector<PlateJoint> joints{PlateJoint{}};  // one at least
+    Plate plate{};
+    std::optional<double> plate_damping_ratio{};  // [1] as those of `PlateJoint`, with m2 and k2y
+    // where there is one, joints and plate mean nothing, but for the first contact: it is that of all which say nothing
+    // else; shared, since it is large and never changed
     std::shared_ptr<const OwnStructure> own_structure{};
     StructureScales structure_scales{};
     Drive drive;
     Run run;
     Thresholds verdict;
-    DampingRatios damping_ratios{};
     Temperature temperature{};
+
+    /// The first joint, and its contact.
+    Joint& joint() { return joints.front().joint; }
+    const Joint& joint() const { return joints.front().joint; }
+    Contact& contact() { return joints.front().contact; }
+    const Contact& contact() const { return joints.front().contact; }
+};
+
+/// Has each joint its own keys, "joint.lip2.mass"?
+inline bool has_several_joints(const Case& c) {
+    return c.joints.size() > 1;
+}
+
+/// A case as a joint of it is asked of fields; a case by itself stands for its first joint.
+struct CaseView {
+    CaseView(const Case& of, std::size_t number = 0) : c(of), joint(number) {}
+    const PlateJoint& own() const { return c.joints[joint]; }
+
+    const Case& c;
+    std::size_t joint;
+};
+
+/// The same of a case that is changed.
+struct CaseToSet {
+    CaseToSet(Case& of, std::size_t number = 0) : c(of), joint(number) {}
+    operator CaseView() const { return {c, joint}; }
+    PlateJoint& own() const { return c.joints[joint]; }
+
+    Case& c;
+    std::size_t joint;
 };
 
 }  // namespace stridor::parameters

@@ -22,8 +22,8 @@ std::string visible_in_quotes(std::string_view text) {
 
 std::vector<std::string> joint_names(const Case& c) {
     std::vector<std::string> names;
-    for (std::size_t joint = 0; joint < joint_count(c); ++joint)
-        names.push_back(joint == 0 ? c.joint_name : c.further_joints[joint - 1].name);
+    for (const PlateJoint& joint : c.joints)
+        names.push_back(joint.name);
     return names;
 }
 
@@ -46,31 +46,6 @@ std::vector<std::size_t> joints_of(const Case& c, std::string_view key) {
         for (std::size_t joint = 1; joint < joint_count(c); ++joint)
             all.push_back(joint);
     return all;
-}
-
-// the case with another joint in the first place, where fields look
-class InFirstPlace {
-public:
-    InFirstPlace(Case& c, std::size_t joint) : c_(c), joint_(joint) { exchange_joints(c_, joint_); }
-    ~InFirstPlace() { exchange_joints(c_, joint_); }
-    InFirstPlace(const InFirstPlace&) = delete;
-    InFirstPlace& operator=(const InFirstPlace&) = delete;
-
-private:
-    Case& c_;
-    std::size_t joint_;
-};
-
-// what one joint's fields are asked of; the case itself is not copied, for a sampled drive is large
-template <typename Ask>
-auto asked_of(const Case& c, std::size_t joint, Ask ask) {
-    if (joint == 0) return ask(c);
-    const FurtherJoint& further = c.further_joints[joint - 1];
-    Case only;
-    only.joint = further.joint;
-    only.contact = further.contact;
-    only.damping_ratios = {further.axial_ratio, further.flexural_ratio, {}};
-    return ask(std::as_const(only));
 }
 
 const Field& expected_field(std::string_view key) {
@@ -139,7 +114,7 @@ void expect_joint_of(const Case& c, std::string_view key) {
 
 std::vector<std::string> single_keys(const Case& c, std::string_view key) {
     const Field& field = expected_field(key);
-    if (!is_of_joint(field) || c.further_joints.empty()) return {key_of(field)};
+    if (!is_of_joint(field) || !has_several_joints(c)) return {key_of(field)};
     std::vector<std::string> keys;
     for (const std::size_t joint : joints_of(c, key))
         keys.push_back(key_of_joint(field, joint_name(c, joint)));
@@ -153,11 +128,11 @@ bool overlap(const Case& c, std::string_view a, std::string_view b) {
 }
 
 std::vector<std::string> keys_of(const Case& c) {
-    const bool has_several = !c.further_joints.empty();
+    const bool has_several = has_several_joints(c);
     std::vector<std::string> keys;
     for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
         for (const Field& field : fields())
-            if (is_of_joint(field) && asked_of(c, joint, field.belongs))
+            if (is_of_joint(field) && field.belongs({c, joint}))
                 keys.push_back(key_of_joint(field, joint_name(c, joint)));
     for (const Field& field : fields())
         if (field.belongs(c) && !(has_several && is_of_joint(field))) keys.push_back(key_of(field));
@@ -173,13 +148,12 @@ std::vector<std::string> quantity_keys(const Case& c) {
 bool belongs(const Case& c, std::string_view key) {
     const Field& field = expected_field(key);
     const std::vector<std::size_t> joints = joints_of(c, key);
-    return std::any_of(joints.begin(), joints.end(),
-                       [&](std::size_t joint) { return asked_of(c, joint, field.belongs); });
+    return std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return field.belongs({c, joint}); });
 }
 
 double get_quantity(const Case& c, std::string_view key) {
     const Field& field = expected_field(key);
-    return asked_of(c, joints_of(c, key).front(), [&](const Case& of) { return get_quantity(of, field); });
+    return get_quantity({c, joints_of(c, key).front()}, field);
 }
 
 namespace {
@@ -189,7 +163,7 @@ std::vector<std::string> value_texts_of(const Case& c, std::string_view key) {
     const Field& field = expected_field(key);
     std::vector<std::string> texts;
     for (const std::size_t joint : joints_of(c, key))
-        texts.push_back(asked_of(c, joint, [&](const Case& of) { return value_text(of, field); }));
+        texts.push_back(value_text({c, joint}, field));
     return texts;
 }
 
@@ -206,13 +180,12 @@ bool has_one_value(const Case& c, std::string_view key) {
 void set_quantity(Case& c, std::string_view key, double value) {
     const Field& field = expected_field(key);
     for (const std::string& single : single_keys(c, key))
-        if (!c.further_joints.empty() && temperature_column(c, single) != nullptr)
+        if (has_several_joints(c) && temperature_column(c, single) != nullptr)
             throw Error(ErrorKind::input, {single + " cannot be set", "it follows the temperature by a table",
                                            "Set temperature.value instead, or take it out of [temperature]."});
     for (const std::size_t joint : joints_of(c, key)) {
-        const InFirstPlace first(c, joint);
         try {
-            set_quantity(c, field, value);
+            set_quantity({c, joint}, field, value);
         } catch (const Error& error) {
             base::Problem problem = error.problem();
             if (problem.what.starts_with(key_of(field)))

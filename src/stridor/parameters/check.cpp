@@ -28,9 +28,9 @@ constexpr double fastest_sample = 1e6;
 // of an engine with steps in a stretch that is judged
 constexpr double least_steps = 10.0;
 
-void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding>& found) {
-    const double kinetic = get_quantity(c, *find_field(keys.kinetic));
-    const double limit = get_quantity(c, *find_field(keys.limit));
+void check_friction(CaseView at, const FrictionKeys& keys, std::vector<Finding>& found) {
+    const double kinetic = get_quantity(at, *find_field(keys.kinetic));
+    const double limit = get_quantity(at, *find_field(keys.limit));
     if (kinetic <= limit) return;
     found.push_back({std::string(keys.kinetic),
                      {std::string(keys.kinetic_symbol) + " = " + shortest(kinetic) + " exceeds " +
@@ -40,9 +40,10 @@ void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding
 }
 
 // where all contacts say one of them themselves, the case's own says nothing
-void check_contact(const Case& c, std::vector<Finding>& found) {
+void check_contact(CaseView at, std::vector<Finding>& found) {
     for (const FrictionKeys& keys : friction_keys)
-        if (find_field(keys.kinetic)->belongs(c) && find_field(keys.limit)->belongs(c)) check_friction(c, keys, found);
+        if (find_field(keys.kinetic)->belongs(at) && find_field(keys.limit)->belongs(at))
+            check_friction(at, keys, found);
 }
 
 // coefficients that a contact has itself stand in for those of the case
@@ -51,7 +52,7 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
         const OwnContact& own = c.own_structure->contacts[k];
         if (!own.static_friction && !own.kinetic_friction) continue;
         const Contact laws = contact_of(c, k);
-        if (c.contact.friction == FrictionKind::directional)
+        if (c.contact().friction == FrictionKind::directional)
             found.push_back({"contact.friction",
                              {"contact \"" + own.name + "\" has friction coefficients of its own",
                               "other ones each way are those of all contacts", "Take them out, or use \"coulomb\"."}});
@@ -67,21 +68,21 @@ bool is_same(const Finding& a, const Finding& b) {
     return a.key == b.key && a.problem.what == b.problem.what;
 }
 
-// what the engine of a case cannot solve, by the table of engines
-std::vector<Finding> findings_of_engine(const Case& c, const std::vector<Method>& methods,
-                                        const std::vector<Asked>& demands) {
-    std::vector<Finding> found;
-    const std::string engine = value_text(c, *find_field("run.engine"));
-    for (const Method method : methods)
-        for (const Asked& asked : demands) {
+// what the engine of a case cannot solve, by the table of engines; two methods may refuse in the same words
+void find_unsolvable(CaseView at, std::vector<Finding>& found) {
+    std::vector<Finding> refused;
+    const std::string engine = value_text(at, *find_field("run.engine"));
+    for (const Method method : methods_of(at.c))
+        for (const Asked& asked : demands_of(at)) {
             const std::optional<base::Problem> problem = refusal(method, asked, engine);
             if (!problem) continue;
             const DemandKeys keys = keys_of(asked.demand);
             Finding finding{std::string(keys.key), *problem, keys.others};
-            if (std::none_of(found.begin(), found.end(), [&](const Finding& other) { return is_same(other, finding); }))
-                found.push_back(std::move(finding));
+            if (std::none_of(refused.begin(), refused.end(),
+                             [&](const Finding& other) { return is_same(other, finding); }))
+                refused.push_back(std::move(finding));
         }
-    return found;
+    found.insert(found.end(), refused.begin(), refused.end());
 }
 
 void check_own_structure(const Case& c, std::vector<Finding>& found) {
@@ -180,11 +181,11 @@ void check_ramp(const Case& c, std::vector<Finding>& found) {
 }
 
 // a value that no range refuses, because an axis may run through it
-void check_zeros(const Case& c, std::vector<Finding>& found) {
+void check_zeros(CaseView at, std::vector<Finding>& found) {
     for (const Field& field : fields()) {
         const auto* quantity = std::get_if<Quantity>(&field.kind);
-        if (quantity == nullptr || quantity->range.zero == Range::Zero::allowed || !field.belongs(c)) continue;
-        if (quantity->get(c) == 0.0)
+        if (quantity == nullptr || quantity->range.zero == Range::Zero::allowed || !field.belongs(at)) continue;
+        if (quantity->get(at) == 0.0)
             found.push_back({key_of(field),
                              {key_of(field) + " = 0 is out of range", "it must not be 0", ""},
                              {field.section}});  // it stands by itself
@@ -266,34 +267,23 @@ void check_verdict(const Case& c, std::vector<Finding>& found) {
 
 std::vector<Finding> findings(const Case& c) {
     std::vector<Finding> found;
-    if (!c.further_joints.empty()) {
-        for (std::size_t joint = 0; joint < joint_count(c); ++joint) {
-            const Case only = alone(c, joint);
-            for (const auto& part : {findings(only), findings_among_several(only)})
-                found.insert(found.end(), part.begin(), part.end());
-        }
-        return found;
-    }
-    check_zeros(c, found);
-    if (c.own_structure) check_own_structure(c, found);
-    for (Finding& finding : findings_of_engine(c, methods_of(c), demands_of(c)))
-        found.push_back(std::move(finding));
-    check_contact(c, found);
-    check_drive(c, found);
-    check_run(c, found);
-    check_verdict(c, found);
-    find_unresolvable(c, found);
+    for (std::size_t joint = 0; joint < joint_count(c); ++joint)
+        for (Finding& finding : findings_at({c, joint}))
+            found.push_back(std::move(finding));
     return found;
 }
 
-std::vector<Finding> findings_among_several(const Case& only) {
-    std::vector<Method> methods = methods_of(only);
-    std::replace(methods.begin(), methods.end(), Method::exact, Method::taylor);
-    std::vector<Asked> demands = demands_of(only);
-    demands.push_back({Demand::several_contacts});
-    std::vector<Finding> found = findings_of_engine(only, methods, demands);
-    for (const Finding& known : findings_of_engine(only, methods_of(only), demands_of(only)))
-        std::erase_if(found, [&](const Finding& finding) { return is_same(finding, known); });
+std::vector<Finding> findings_at(CaseView at) {
+    const Case& c = at.c;
+    std::vector<Finding> found;
+    check_zeros(at, found);
+    if (c.own_structure) check_own_structure(c, found);
+    find_unsolvable(at, found);
+    check_contact(at, found);
+    check_drive(c, found);
+    check_run(c, found);
+    check_verdict(c, found);
+    find_unresolvable(at, found);
     return found;
 }
 

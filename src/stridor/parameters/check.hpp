@@ -22,8 +22,7 @@ struct Finding {
 /// system's frequencies (`integration::step_limit`).
 std::vector<Finding> findings(const Case& c);
 
-/// What a joint of several may not be, seen alone (`parameters::alone`), beside its `findings`: what the engine solves
-/// for one joint only.
-std::vector<Finding> findings_among_several(const Case& only);
+/// What is wrong with one joint and with what all share. Keys are those of a case with one joint.
+std::vector<Finding> findings_at(CaseView at);
 
 }  // namespace stridor::parameters

@@ -32,22 +32,23 @@ std::string damping_ratio_text(double ratio) {
     return std::string(ratio_words) + base::shortest(ratio);
 }
 
-const std::optional<double>* damping_ratio_of(const Case& c, std::string_view key) {
-    if (key == "joint.axial_damping") return &c.damping_ratios.axial;
-    if (key == "joint.flexural_damping") return &c.damping_ratios.flexural;
-    if (key == "plate.damping") return &c.damping_ratios.plate;
+const std::optional<double>* damping_ratio_of(CaseView at, std::string_view key) {
+    if (key == "joint.axial_damping") return &at.own().axial_ratio;
+    if (key == "joint.flexural_damping") return &at.own().flexural_ratio;
+    if (key == "plate.damping") return &at.c.plate_damping_ratio;
     return nullptr;
 }
 
-std::optional<double>* damping_ratio_of(Case& c, std::string_view key) {
-    return const_cast<std::optional<double>*>(damping_ratio_of(std::as_const(c), key));  // of a case that may change
+std::optional<double>* damping_ratio_of(CaseToSet at, std::string_view key) {
+    return const_cast<std::optional<double>*>(damping_ratio_of(CaseView(at), key));  // of a case that may change
 }
 
 void keep_damping_ratios(Case& c) {
-    const auto& [axial, flexural, plate] = c.damping_ratios;
-    if (axial) c.joint.axial_damping = damping(*axial, c.joint.axial_stiffness, c.joint.mass);
-    if (flexural) c.joint.flexural_damping = damping(*flexural, c.joint.flexural_stiffness, c.joint.mass);
-    if (plate) c.plate.damping = damping(*plate, c.plate.stiffness, c.plate.mass);
+    for (auto& [joint, contact, name, axial, flexural] : c.joints) {
+        if (axial) joint.axial_damping = damping(*axial, joint.axial_stiffness, joint.mass);
+        if (flexural) joint.flexural_damping = damping(*flexural, joint.flexural_stiffness, joint.mass);
+    }
+    if (c.plate_damping_ratio) c.plate.damping = damping(*c.plate_damping_ratio, c.plate.stiffness, c.plate.mass);
 }
 
 }  // namespace stridor::parameters

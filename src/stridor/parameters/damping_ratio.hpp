@@ -21,8 +21,8 @@ std::optional<double> parse_damping_ratio(std::string_view text);
 std::string damping_ratio_text(double ratio);
 
 /// Where a case keeps the ratio of the damping with that key; nullptr for any other key.
-std::optional<double>* damping_ratio_of(Case& c, std::string_view key);
-const std::optional<double>* damping_ratio_of(const Case& c, std::string_view key);
+std::optional<double>* damping_ratio_of(CaseToSet at, std::string_view key);
+const std::optional<double>* damping_ratio_of(CaseView at, std::string_view key);
 
 /// Makes every damping that is known as a share what it is with the present stiffnesses and masses:
 /// c = 2 zeta sqrt(k m).

@@ -97,7 +97,7 @@ std::optional<base::Problem> refusal(Method method, const Asked& asked, std::str
 std::vector<Method> methods_of(const Case& c) {
     switch (c.run.engine) {
         case Engine::exact:
-            return {c.own_structure || !c.further_joints.empty() ? Method::taylor : Method::exact};
+            return {c.own_structure || has_several_joints(c) ? Method::taylor : Method::exact};
         case Engine::beta_2:
             return {Method::beta_2};
         case Engine::moreau:
@@ -108,7 +108,9 @@ std::vector<Method> methods_of(const Case& c) {
     return {Method::moreau, Method::massless};
 }
 
-std::vector<Asked> demands_of(const Case& c) {
+std::vector<Asked> demands_of(CaseView at) {
+    const Case& c = at.c;
+    const Contact& contact = at.own().contact;
     std::vector<Asked> asked;
     if (!c.own_structure) asked.push_back({Demand::joint});
     if (c.own_structure) {
@@ -117,17 +119,17 @@ std::vector<Asked> demands_of(const Case& c) {
             asked.push_back({Demand::massless_rows, "row " + c.own_structure->row[*row] + " has no mass"});
         const std::vector<OwnContact>& contacts = c.own_structure->contacts;
         const auto plane = std::find_if(contacts.begin(), contacts.end(),
-                                        [](const OwnContact& contact) { return !contact.second_tangent.empty(); });
+                                        [](const OwnContact& each) { return !each.second_tangent.empty(); });
         if (plane != contacts.end()) {
             const std::string where = "contact \"" + plane->name + "\" slips in two directions";
             asked.push_back({Demand::two_tangents, where});
-            if (c.contact.friction != FrictionKind::coulomb) asked.push_back({Demand::other_cone, where});
+            if (contact.friction != FrictionKind::coulomb) asked.push_back({Demand::other_cone, where});
         }
         if (is_by_force(c.drive) && !c.own_structure->force.empty()) asked.push_back({Demand::imposed_force});
     }
-    if (!c.further_joints.empty()) asked.push_back({Demand::several_contacts});
-    if (c.contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
-    if (!is_state_wise(c.contact.friction)) asked.push_back({Demand::other_friction});
+    if (has_several_joints(c)) asked.push_back({Demand::several_contacts});
+    if (contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
+    if (!is_state_wise(contact.friction)) asked.push_back({Demand::other_friction});
     return asked;
 }
 

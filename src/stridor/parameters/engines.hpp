@@ -48,12 +48,12 @@ inline constexpr std::array<std::string_view, 10> demand_names{
 /// The methods that a case is solved by: two where both formulations are run.
 std::vector<Method> methods_of(const Case& c);
 
-/// Something that a case asks for, and where: "row x has no mass"; empty: nowhere in particular.
+/// Something that a case, or a joint of it, asks for, and where: "row x has no mass"; empty: nowhere in particular.
 struct Asked {
     Demand demand = Demand::joint;
     std::string where{};
 };
-std::vector<Asked> demands_of(const Case& c);
+std::vector<Asked> demands_of(CaseView at);
 
 /// Why a method cannot do what is asked: what, as "the exact engine knows one contact", why, and what to do instead.
 /// Nothing where it can. `name` stands for that of the method.

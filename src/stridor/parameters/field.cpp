@@ -26,16 +26,25 @@ constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "morea
 constexpr std::array<std::string_view, 3> formulation_names{"standard", "massless", "both"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 
+// what a case has once, or a joint of it
+template <auto part>
+auto& part_of(const auto& at) {
+    if constexpr (requires { at.c.*part; })
+        return at.c.*part;
+    else
+        return at.own().*part;
+}
+
 template <auto part, auto member>
 Quantity quantity(std::string_view unit, Range range, std::optional<UsualRange> usual = {}) {
-    return {unit, range, [](const Case& c) { return (c.*part).*member; },
-            [](Case& c, double value) { (c.*part).*member = value; }, usual};
+    return {unit, range, [](CaseView at) { return part_of<part>(at).*member; },
+            [](CaseToSet at, double value) { part_of<part>(at).*member = value; }, usual};
 }
 
 template <auto part, auto member, typename Enumeration>
 Choice choice(std::span<const std::string_view> names, Choice::Canonical canonical = Choice::Canonical::always) {
-    return {names, [](const Case& c) { return static_cast<int>((c.*part).*member); },
-            [](Case& c, int index) { (c.*part).*member = static_cast<Enumeration>(index); }, canonical};
+    return {names, [](CaseView at) { return static_cast<int>(part_of<part>(at).*member); },
+            [](CaseToSet at, int index) { part_of<part>(at).*member = static_cast<Enumeration>(index); }, canonical};
 }
 
 // the name of a builder's key as an argument of templates
@@ -54,33 +63,34 @@ Field builder_field(std::string_view unit, Range range, std::string_view sentenc
             "",
             sentence,
             Quantity{unit, range,
-                     [](const Case& c) {
-                         const double* number = recipe_number(c, key.view());
+                     [](CaseView at) {
+                         const double* number = recipe_number(at.c, key.view());
                          return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
                      },
-                     [](Case& c, double value) { rebuild(c, key.view(), value); }},
-            [](const Case& c) { return recipe_number(c, key.view()) != nullptr; }};
+                     [](CaseToSet at, double value) { rebuild(at.c, key.view(), value); }},
+            [](CaseView at) { return recipe_number(at.c, key.view()) != nullptr; }};
 }
 
-constexpr Text title{[](const Case& c) { return c.title; }, [](Case& c, std::string_view text) { c.title = text; }};
-constexpr Text drive_file{[](const Case& c) { return c.drive.file; },
-                          [](Case& c, std::string_view text) { c.drive.file = text; }, Text::Means::file};
+constexpr Text title{[](CaseView at) { return at.c.title; },
+                     [](CaseToSet at, std::string_view text) { at.c.title = text; }};
+constexpr Text drive_file{[](CaseView at) { return at.c.drive.file; },
+                          [](CaseToSet at, std::string_view text) { at.c.drive.file = text; }, Text::Means::file};
 
 const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
 
     Field{"joint", "mass", "m1", "mass of the joint",
-          quantity<&Case::joint, &Joint::mass>("kg", positive, octaves(0.01, 1.0)), has_joints},
+          quantity<&PlateJoint::joint, &Joint::mass>("kg", positive, octaves(0.01, 1.0)), has_joints},
     Field{"joint", "axial_stiffness", "k1i", "traction-compression stiffness of the joint, along its axis",
-          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive, octaves(1e6, 1e8)), has_joints},
+          quantity<&PlateJoint::joint, &Joint::axial_stiffness>("N/m", positive, octaves(1e6, 1e8)), has_joints},
     Field{"joint", "flexural_stiffness", "k1j", "bending stiffness of the joint, across its axis",
-          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive, octaves(1e5, 1e7)), has_joints},
+          quantity<&PlateJoint::joint, &Joint::flexural_stiffness>("N/m", positive, octaves(1e5, 1e7)), has_joints},
     Field{"joint", "axial_damping", "c1i", "damping along the joint's axis",
-          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative, usual_damping), has_joints},
+          quantity<&PlateJoint::joint, &Joint::axial_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "flexural_damping", "c1j", "damping across the joint's axis",
-          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), has_joints},
+          quantity<&PlateJoint::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
-          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), has_joints},
+          quantity<&PlateJoint::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), has_joints},
 
     Field{"plate", "mass", "m2", "moving mass of the plate",
           quantity<&Case::plate, &Plate::mass>("kg", positive, octaves(0.04, 4.0)), has_joints},
@@ -115,34 +125,35 @@ const std::array table{
                                      "from the surface's direction of motion to the beam's axis"),
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
-          quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
-    Field{"contact", "friction", "",
-          "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity",
-          choice<&Case::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
-          always},
+          quantity<&PlateJoint::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
+    Field{
+        "contact", "friction", "",
+        "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity",
+        choice<&PlateJoint::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
+        always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
-          quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction),
+          quantity<&PlateJoint::contact, &Contact::static_friction>("1", not_negative, usual_static_friction),
           has_static_friction},
     Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
-          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction),
+          quantity<&PlateJoint::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction),
           has_kinetic_friction},
     Field{"contact", "friction_slope", "s_mu", "by how much mu_d falls per slip velocity, down to 0",
-          quantity<&Case::contact, &Contact::friction_slope>("s/m", not_negative, octaves(0.05, 5.0)),
+          quantity<&PlateJoint::contact, &Contact::friction_slope>("s/m", not_negative, octaves(0.05, 5.0)),
           has_friction_slope},
     Field{"contact", "static_friction_coming", "mu_sc",
           "mu_s of the other way, in which a coming plate drags the joint",
-          quantity<&Case::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),
+          quantity<&PlateJoint::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),
           has_friction_each_way},
     Field{"contact", "kinetic_friction_coming", "mu_dc", "mu_d of the other way, at most mu_sc",
-          quantity<&Case::contact, &Contact::kinetic_friction_coming>("1", not_negative, usual_kinetic_friction),
+          quantity<&PlateJoint::contact, &Contact::kinetic_friction_coming>("1", not_negative, usual_kinetic_friction),
           has_friction_each_way},
     Field{"contact", "impact", "", "what happens when a separation ends",
-          choice<&Case::contact, &Contact::impact, ImpactKind>(impact_names), always},
+          choice<&PlateJoint::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
-          quantity<&Case::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
+          quantity<&PlateJoint::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
 
     Field{"temperature", "value", "theta", "temperature of the parts, at which the table below is read",
-          quantity<&Case::temperature, &Temperature::value>("degC", temperatures), has_temperature_table},
+          quantity<&Case::temperature, &Temperature::value>("degC", temperatures), follows_temperature},
 
     Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names),
           always},
@@ -283,22 +294,22 @@ std::string_view unit_of(std::string_view key) {
     return field == nullptr ? std::string_view("1") : unit_of(*field);
 }
 
-std::vector<Home> homes_of(const Case& c, const Field& field) {
+std::vector<Home> homes_of(CaseView at, const Field& field) {
     std::vector<Home> homes;
     for (const Field& other : table) {
         const auto* choice = std::get_if<Choice>(&other.kind);
         if (choice == nullptr) continue;
         for (std::size_t index = 0; index < choice->names.size(); ++index) {
-            Case changed = c;
-            choice->set(changed, static_cast<int>(index));
-            if (field.belongs(changed)) homes.push_back({&other, choice->names[index]});
+            Case changed = at.c;
+            choice->set({changed, at.joint}, static_cast<int>(index));
+            if (field.belongs({changed, at.joint})) homes.push_back({&other, choice->names[index]});
         }
     }
     return homes;
 }
 
-std::string home_of(const Case& c, const Field& field) {
-    const std::vector<Home> homes = homes_of(c, field);
+std::string home_of(CaseView at, const Field& field) {
+    const std::vector<Home> homes = homes_of(at, field);
     std::string text;
     for (std::size_t i = 0; i < homes.size(); ++i) {
         const bool goes_on = i > 0 && homes[i].choice == homes[i - 1].choice;
@@ -315,88 +326,85 @@ bool names_file(const Field& field) {
     return text != nullptr && text->means == Text::Means::file;
 }
 
-double get_quantity(const Case& c, const Field& field) {
-    return std::get<Quantity>(field.kind).get(c);
+double get_quantity(CaseView at, const Field& field) {
+    return std::get<Quantity>(field.kind).get(at);
 }
 
 namespace {
 
-bool is_temperature_of_table(const Case& c, const Field& field) {
-    return has_temperature_table(c) && field.section == "temperature";
+bool is_temperature_of_table(CaseView at, const Field& field) {
+    return has_temperature_table(at.c) && field.section == "temperature";
 }
 
-void refuse_follower(const Case& c, const Field& field) {
-    // what follows of several joints is known by their names, which only a key tells
-    const TemperatureColumn* column = temperature_column(c, key_of(field));
-    if (column == nullptr || column->key != key_of(field)) return;
-    throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
-                                   "Set temperature.value instead, or take it out of [temperature]."});
+void refuse_follower(CaseView at, const Field& field) {
+    if (temperature_column(at, field) != nullptr)
+        throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
+                                       "Set temperature.value instead, or take it out of [temperature]."});
 }
 
 }  // namespace
 
-Range range_of(const Case& c, const Field& field) {
-    if (is_temperature_of_table(c, field)) return {c.temperature.at.front(), c.temperature.at.back()};
+Range range_of(CaseView at, const Field& field) {
+    if (is_temperature_of_table(at, field)) return {at.c.temperature.at.front(), at.c.temperature.at.back()};
     return std::get<Quantity>(field.kind).range;
 }
 
-void expect_in_range(const Case& c, const Field& field, double value) {
+void expect_in_range(CaseView at, const Field& field, double value) {
     const auto& quantity = std::get<Quantity>(field.kind);
-    const Range range = range_of(c, field);
+    const Range range = range_of(at, field);
     if (!std::isfinite(value) || !contains(range, value))
         throw Error(ErrorKind::input,
                     {key_of(field) + " = " + base::shortest(value) + " is out of range",
                      "it must be " + (std::isfinite(value) ? range_text(range, quantity.unit) : std::string("finite")) +
-                         (is_temperature_of_table(c, field) ? ", where the table ends" : ""),
-                     is_temperature_of_table(c, field) ? "Extend the table in [temperature]." : ""});
+                         (is_temperature_of_table(at, field) ? ", where the table ends" : ""),
+                     is_temperature_of_table(at, field) ? "Extend the table in [temperature]." : ""});
 }
 
-void set_quantity(Case& c, const Field& field, double value) {
-    refuse_follower(c, field);
-    expect_in_range(c, field, value);
-    std::get<Quantity>(field.kind).set(c, value);
-    if (std::optional<double>* ratio = damping_ratio_of(c, key_of(field))) ratio->reset();
-    // a joint may stand in another's place just now
-    if (c.further_joints.empty() || field.section == "temperature") keep_temperature_table(c);
-    keep_damping_ratios(c);
+void set_quantity(CaseToSet at, const Field& field, double value) {
+    refuse_follower(at, field);
+    expect_in_range(at, field, value);
+    std::get<Quantity>(field.kind).set(at, value);
+    if (std::optional<double>* ratio = damping_ratio_of(at, key_of(field))) ratio->reset();
+    keep_temperature_table(at.c);
+    keep_damping_ratios(at.c);
 }
 
-void set_from_text(Case& c, const Field& field, std::string_view text) {
-    refuse_follower(c, field);
-    std::optional<double>* known = damping_ratio_of(c, key_of(field));
+void set_from_text(CaseToSet at, const Field& field, std::string_view text) {
+    refuse_follower(at, field);
+    std::optional<double>* known = damping_ratio_of(at, key_of(field));
     if (const std::optional<double> ratio = known == nullptr ? std::nullopt : parse_damping_ratio(text)) {
         if (!(*ratio >= 0.0 && *ratio <= most_damping_ratio))
             throw Error(ErrorKind::input,
                         {key_of(field) + " = \"" + std::string(text) + "\" is out of range",
                          "a damping ratio must be between 0 and " + base::shortest(most_damping_ratio), ""});
         *known = ratio;
-        keep_damping_ratios(c);
+        keep_damping_ratios(at.c);
     } else if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
-        set_quantity(c, field, base::parse_quantity(text, quantity->unit));
+        set_quantity(at, field, base::parse_quantity(text, quantity->unit));
     } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {
-        choice->set(c, static_cast<int>(base::place_of_choice(key_of(field), base::trimmed(text), choice->names)));
+        choice->set(at, static_cast<int>(base::place_of_choice(key_of(field), base::trimmed(text), choice->names)));
     } else {
-        std::get<Text>(field.kind).set(c, text);
+        std::get<Text>(field.kind).set(at, text);
     }
 }
 
-std::optional<double> damping_ratio(const Case& c, const Field& field) {
-    const std::optional<double>* ratio = damping_ratio_of(c, key_of(field));
+std::optional<double> damping_ratio(CaseView at, const Field& field) {
+    const std::optional<double>* ratio = damping_ratio_of(at, key_of(field));
     return ratio == nullptr ? std::nullopt : *ratio;
 }
 
-std::string value_text(const Case& c, const Field& field) {
-    if (const std::optional<double> ratio = damping_ratio(c, field)) return damping_ratio_text(*ratio);
+std::string value_text(CaseView at, const Field& field) {
+    if (const std::optional<double> ratio = damping_ratio(at, field)) return damping_ratio_text(*ratio);
     if (std::holds_alternative<Quantity>(field.kind))
-        return base::quantity_text(get_quantity(c, field), unit_of(field));
+        return base::quantity_text(get_quantity(at, field), unit_of(field));
     if (const auto* choice = std::get_if<Choice>(&field.kind))
-        return std::string(choice->names[static_cast<std::size_t>(choice->get(c))]);
-    return std::get<Text>(field.kind).get(c);
+        return std::string(choice->names[static_cast<std::size_t>(choice->get(at))]);
+    return std::get<Text>(field.kind).get(at);
 }
 
-bool goes_without_saying(const Case& c, const Field& field) {
+bool goes_without_saying(CaseView at, const Field& field) {
     const auto* choice = std::get_if<Choice>(&field.kind);
-    return choice != nullptr && choice->canonical == Choice::Canonical::unless_first && choice->get(c) == 0;
+    return choice != nullptr && choice->canonical == Choice::Canonical::unless_first && choice->get(at) == 0;
 }
 
 }  // namespace stridor::parameters

@@ -45,8 +45,8 @@ struct UsualRange {
 struct Quantity {
     std::string_view unit;  // SI, angles in deg, "1" when dimensionless
     Range range;
-    double (*get)(const Case&);
-    void (*set)(Case&, double value);
+    double (*get)(CaseView);
+    void (*set)(CaseToSet, double value);
     std::optional<UsualRange>
         usual{};  // of what a designer may vary; nothing for settings of the computation or verdict
 };
@@ -54,16 +54,16 @@ struct Quantity {
 /// One name out of a list.
 struct Choice {
     std::span<const std::string_view> names;
-    int (*get)(const Case&);
-    void (*set)(Case&, int index);
+    int (*get)(CaseView);
+    void (*set)(CaseToSet, int index);
     // a choice that came later goes without saying where it is the first: what was kept of a case stays its own
     enum class Canonical { always, unless_first } canonical = Canonical::always;
 };
 
 /// Free text.
 struct Text {
-    std::string (*get)(const Case&);
-    void (*set)(Case&, std::string_view text);
+    std::string (*get)(CaseView);
+    void (*set)(CaseToSet, std::string_view text);
     enum class Means { words, file } means = Means::words;  // a file is opened: who is not trusted may not name one
 };
 
@@ -74,7 +74,7 @@ struct Field {
     std::string_view symbol;    // "mu_d", as in the paper; may be empty
     std::string_view sentence;  // what it is, one line
     std::variant<Quantity, Choice, Text> kind;
-    bool (*belongs)(const Case&);  // does it mean anything for this case? (drive.velocity only with a constant drive)
+    bool (*belongs)(CaseView);  // does it mean anything for this case? (drive.velocity only with a constant drive)
 };
 
 /// All fields, sections together, in the order files list them.
@@ -106,42 +106,42 @@ struct Home {
     std::string_view name;
 };
 
-/// The choices of which each alone would give a field a meaning in a case that is otherwise as `c`.
-std::vector<Home> homes_of(const Case& c, const Field& field);
+/// The choices of which each alone would give a field a meaning in a case that is otherwise as this.
+std::vector<Home> homes_of(CaseView at, const Field& field);
 
 /// The same in words: "drive.kind = "sinusoidal" or "sampled""; empty if none does (temperature.value).
-std::string home_of(const Case& c, const Field& field);
+std::string home_of(CaseView at, const Field& field);
 
 /// Is its value the name of a file that is opened?
 bool names_file(const Field& field);
 
 /// The value of a quantity in its unit. The field must be a quantity.
-double get_quantity(const Case& c, const Field& field);
+double get_quantity(CaseView at, const Field& field);
 
 /// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
-Range range_of(const Case& c, const Field& field);
+Range range_of(CaseView at, const Field& field);
 
 /// Throws `Error` (input) without a place for a value that a quantity may not be.
-void expect_in_range(const Case& c, const Field& field, double value);
+void expect_in_range(CaseView at, const Field& field, double value);
 
 /// Is it a choice that came later, and the first? Then what is kept of a case leaves it out.
-bool goes_without_saying(const Case& c, const Field& field);
+bool goes_without_saying(CaseView at, const Field& field);
 
 /// Sets a quantity, in its unit. With the temperature it sets what follows it by table, and with any of these the
-/// dampings that are shares of critical (`DampingRatios`); a damping that is set itself is a share no more. Throws
+/// dampings that are shares of critical (`PlateJoint`); a damping that is set itself is a share no more. Throws
 /// `Error` (input) without a place for a value out of range, and for a quantity that follows the temperature.
-void set_quantity(Case& c, const Field& field, double value);
+void set_quantity(CaseToSet at, const Field& field, double value);
 
 /// Sets a field from what a user wrote ("20 N", "0.6", "sinusoidal"); throws `Error` (input) without a place. Of the
 /// three dampings that may be "15 %" or "damping ratio 0.15", a share of critical, or "loss factor 0.3", which is twice
 /// that.
-void set_from_text(Case& c, const Field& field, std::string_view text);
+void set_from_text(CaseToSet at, const Field& field, std::string_view text);
 
 /// The share of critical that a damping is known as [1]; nothing for other fields and dampings in N*s/m.
-std::optional<double> damping_ratio(const Case& c, const Field& field);
+std::optional<double> damping_ratio(CaseView at, const Field& field);
 
 /// The value as a user would write it, with its unit: "20 N", "sinusoidal", "damping ratio 0.15".
-std::string value_text(const Case& c, const Field& field);
+std::string value_text(CaseView at, const Field& field);
 
 /// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers. Of
 /// several joints each has lines of its own, "joint.lip2.contact.preload = 20 N".

@@ -22,17 +22,6 @@ std::string joint_name(const Case& c, std::size_t joint);
 /// Is it a field of [joint] or [contact], of which each of several joints has its own?
 bool is_of_joint(const Field& field);
 
-/// The case as if this joint were its only one: what a single joint's fields, checks and texts are made from.
-Case alone(const Case& c, std::size_t joint);
-
-/// Appends what `alone` shows of another case as a further joint. Its columns over the temperature stand in the table
-/// under its name. So do those of the first joint, which must have its name before.
-void add_joint(Case& c, std::string name, const Case& only);
-
-/// Exchanges what is a joint's with what is the first one's, where fields look for it; twice changes nothing. The names
-/// stay.
-void exchange_joints(Case& c, std::size_t joint);
-
 /// Two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that moves evenly.
 Case two_lips();
 

@@ -144,17 +144,18 @@ std::string contact_name(const Case& c, std::size_t contact) {
 }
 
 Contact contact_of(const Case& c, std::size_t contact) {
-    STRIDOR_EXPECT(c.own_structure && contact < contact_count(c));
+    STRIDOR_EXPECT(contact < contact_count(c));
+    if (!c.own_structure) return c.joints[contact].contact;
     const OwnContact& own = c.own_structure->contacts[contact];
     double all = 0.0;
     for (const OwnContact& each : c.own_structure->contacts)
         all += each.preload_share;
-    Contact laws = c.contact;
+    Contact laws = c.contact();
     for (const ContactField& field : contact_fields())
         if (const auto* number = std::get_if<std::optional<double> OwnContact::*>(&field.member);
             number != nullptr && field.in_place_of != nullptr && own.**number)
             laws.*field.in_place_of = *(own.**number);
-    laws.preload = all > 0.0 ? c.contact.preload * (own.preload_share / all) : 0.0;
+    laws.preload = all > 0.0 ? c.contact().preload * (own.preload_share / all) : 0.0;
     return laws;
 }
 

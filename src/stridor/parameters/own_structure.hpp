@@ -121,8 +121,8 @@ std::size_t contact_count(const Case& c);
 /// Name of a contact of any case: its joint's, or its own.
 std::string contact_name(const Case& c, std::size_t contact);
 
-/// The laws at a contact of the case's own structure: [contact], with the coefficients that the contact has itself, and
-/// its share of the preload.
+/// The laws at a contact of any case: its joint's; at one of the case's own structure [contact], with the coefficients
+/// that the contact has itself, and its share of the preload.
 Contact contact_of(const Case& c, std::size_t contact);
 
 }  // namespace stridor::parameters

@@ -11,17 +11,17 @@ Case paper_case(PaperCase which) {
             break;
         case PaperCase::squeak:
             c.title = "squeak: irregular stick-slip with separation (Table 1, column 3)";
-            c.contact.kinetic_friction = 0.2;
-            c.contact.preload = 200.0;
+            c.contact().kinetic_friction = 0.2;
+            c.contact().preload = 200.0;
             break;
         case PaperCase::creak:
             c.title = "creak: long sticks, short slips under high preload (Table 1, column 4)";
-            c.contact.kinetic_friction = 0.2;
-            c.contact.preload = 2000.0;
+            c.contact().kinetic_friction = 0.2;
+            c.contact().preload = 2000.0;
             break;
         case PaperCase::quiet:
             c.title = "no noise: nothing but slip between the reversals (Table 1, column 1)";
-            c.contact.kinetic_friction = 0.2;
+            c.contact().kinetic_friction = 0.2;
             break;
     }
     return c;

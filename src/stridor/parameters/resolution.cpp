@@ -44,65 +44,68 @@ Named smallest_of(std::initializer_list<Named> all) {
     return std::min(all, [](const Named& a, const Named& b) { return a.value < b.value; });
 }
 
-std::string setting(const Case& c, std::string_view key) {
-    return std::string(key) + " = " + value_text(c, *find_field(key));
+std::string setting(CaseView at, std::string_view key) {
+    return std::string(key) + " = " + value_text(at, *find_field(key));
 }
 
-void find_large_and_small(const Case& c, std::vector<Finding>& found) {
+void find_large_and_small(CaseView at, std::vector<Finding>& found) {
     for (const Field& field : fields()) {
         const auto* quantity = std::get_if<Quantity>(&field.kind);
-        if (quantity == nullptr || !field.belongs(c)) continue;
-        const double size = std::abs(quantity->get(c));
+        if (quantity == nullptr || !field.belongs(at)) continue;
+        const double size = std::abs(quantity->get(at));
         const bool has_dimension = quantity->unit != "1" && quantity->unit != "deg";
         const bool is_small = has_dimension && size > 0.0 && size < smallest_number;
         if (size <= largest_number && !is_small) continue;
         found.push_back({key_of(field),
-                         {setting(c, key_of(field)) + " is " + (is_small ? "below 1e-75" : "above 1e75"),
+                         {setting(at, key_of(field)) + " is " + (is_small ? "below 1e-75" : "above 1e75"),
                           "products of such numbers leave double precision", "Check its unit."}});
     }
 }
 
 // an upper bound of the fastest rate of the motion [1/s], and the field that makes it; friction adds mu_d times the
 // forces across the contact to those along it
-Named fastest_rate(const Case& c, double friction) {
+Named fastest_rate(CaseView at, double friction) {
+    const Case& c = at.c;
+    const Joint& joint = at.own().joint;
     const auto vibration = [&](double stiffness, double mass) {
         return std::sqrt((1.0 + friction) * stiffness / mass);
     };
     const auto decay = [&](double damping, double mass) { return (1.0 + friction) * damping / mass; };
-    return largest_of({{"joint.axial_stiffness", vibration(c.joint.axial_stiffness, c.joint.mass)},
-                       {"joint.flexural_stiffness", vibration(c.joint.flexural_stiffness, c.joint.mass)},
+    return largest_of({{"joint.axial_stiffness", vibration(joint.axial_stiffness, joint.mass)},
+                       {"joint.flexural_stiffness", vibration(joint.flexural_stiffness, joint.mass)},
                        {"plate.stiffness", vibration(c.plate.stiffness, c.plate.mass)},
-                       {"joint.axial_damping", decay(c.joint.axial_damping, c.joint.mass)},
-                       {"joint.flexural_damping", decay(c.joint.flexural_damping, c.joint.mass)},
+                       {"joint.axial_damping", decay(joint.axial_damping, joint.mass)},
+                       {"joint.flexural_damping", decay(joint.flexural_damping, joint.mass)},
                        {"plate.damping", decay(c.plate.damping, c.plate.mass)},
                        {"drive.frequency", base::two_pi * repetition_rate(c.drive)}});
 }
 
-void find_fast(const Case& c, std::vector<Finding>& found) {
+void find_fast(CaseView at, std::vector<Finding>& found) {
+    const Case& c = at.c;
     if (c.run.engine != Engine::exact) return;  // the others have their step
     Named friction{friction_keys.front().kinetic};
     for (const FrictionKeys& keys : friction_keys) {
         const Field& field = *find_field(keys.kinetic);
-        if (field.belongs(c) && get_quantity(c, field) > friction.value)
-            friction = {keys.kinetic, get_quantity(c, field)};
+        if (field.belongs(at) && get_quantity(at, field) > friction.value)
+            friction = {keys.kinetic, get_quantity(at, field)};
     }
-    const double rate = fastest_rate(c, friction.value).value;
+    const double rate = fastest_rate(at, friction.value).value;
     if (rate * c.run.duration <= most_apart) return;
-    const Named frictionless = fastest_rate(c, 0.0);
+    const Named frictionless = fastest_rate(at, 0.0);
     const bool is_long = rate <= most_apart;  // a second would do
     const bool is_rough = frictionless.value * c.run.duration <= most_apart;
     const std::string_view key = is_long ? "run.duration" : is_rough ? friction.key : frictionless.key;
     found.push_back({std::string(key),
-                     {setting(c, key) + " makes a run of " + shortest(c.run.duration) + " s at rates of up to " +
+                     {setting(at, key) + " makes a run of " + shortest(c.run.duration) + " s at rates of up to " +
                           shortest(rate) + " 1/s",
                       "beyond a product of 1e12 double precision cannot tell instants apart, and it would take hours",
                       is_long ? "Shorten it." : "Check its unit, or shorten run.duration."}});
 }
 
-void find_ratio(const Case& c, const Named& large, const Named& small, std::vector<Finding>& found) {
+void find_ratio(CaseView at, const Named& large, const Named& small, std::vector<Finding>& found) {
     if (large.value <= most_apart * small.value) return;
     found.push_back({std::string(large.key),
-                     {setting(c, large.key) + " is more than 1e12 times " + setting(c, small.key),
+                     {setting(at, large.key) + " is more than 1e12 times " + setting(at, small.key),
                       "double precision leaves less than four digits of the smaller one beside it",
                       "A ratio of 1e6 is as good as rigid."}});
 }
@@ -126,29 +129,32 @@ void find_short_window(const Case& c, std::vector<Finding>& found) {
           "double precision cannot tell its ends apart well enough to judge it", "Lengthen it."}});
 }
 
-void find_in_joint(const Case& c, std::vector<Finding>& found) {
-    find_fast(c, found);
-    const Named axial{"joint.axial_stiffness", c.joint.axial_stiffness};
-    const Named flexural{"joint.flexural_stiffness", c.joint.flexural_stiffness};
+void find_in_joint(CaseView at, std::vector<Finding>& found) {
+    const Case& c = at.c;
+    const Joint& joint = at.own().joint;
+    find_fast(at, found);
+    const Named axial{"joint.axial_stiffness", joint.axial_stiffness};
+    const Named flexural{"joint.flexural_stiffness", joint.flexural_stiffness};
     const Named plate{"plate.stiffness", c.plate.stiffness};
-    find_ratio(c, largest_of({axial, flexural, plate}), smallest_of({axial, flexural, plate}), found);
-    const Named joint_mass{"joint.mass", c.joint.mass};
+    find_ratio(at, largest_of({axial, flexural, plate}), smallest_of({axial, flexural, plate}), found);
+    const Named joint_mass{"joint.mass", joint.mass};
     const Named plate_mass{"plate.mass", c.plate.mass};
-    find_ratio(c, largest_of({joint_mass, plate_mass}), smallest_of({joint_mass, plate_mass}), found);
+    find_ratio(at, largest_of({joint_mass, plate_mass}), smallest_of({joint_mass, plate_mass}), found);
 }
 
 }  // namespace
 
-void find_unresolvable(const Case& c, std::vector<Finding>& found) {
+void find_unresolvable(CaseView at, std::vector<Finding>& found) {
+    const Case& c = at.c;
     const std::size_t before = found.size();
-    find_large_and_small(c, found);
+    find_large_and_small(at, found);
     if (found.size() > before) return;
-    if (!c.own_structure) find_in_joint(c, found);
+    if (!c.own_structure) find_in_joint(at, found);
     for (const std::string_view key : {"contact.static_friction", "contact.static_friction_coming"}) {
         const Field& field = *find_field(key);
-        if (!field.belongs(c) || get_quantity(c, field) <= most_apart) continue;
+        if (!field.belongs(at) || get_quantity(at, field) <= most_apart) continue;
         found.push_back({std::string(key),
-                         {setting(c, key) + " is above 1e12",
+                         {setting(at, key) + " is above 1e12",
                           "the friction force would be known to less than four digits", "Rubber on glass has 2."}});
     }
     find_reversals(c, found);

@@ -24,6 +24,6 @@ inline constexpr double most_apart = 1e12;
 /// memory.
 ///
 /// Looks at each number by itself first; a case with findings there is not looked at further.
-void find_unresolvable(const Case& c, std::vector<Finding>& found);
+void find_unresolvable(CaseView at, std::vector<Finding>& found);
 
 }  // namespace stridor::parameters

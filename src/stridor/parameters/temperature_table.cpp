@@ -29,6 +29,21 @@ std::ptrdiff_t rank(std::string_view key) {
     return std::find(followers.begin(), followers.end(), key) - followers.begin();
 }
 
+// which joint a column is of, and its key without that name; of the only one, and of the plate, behind all
+struct Followed {
+    std::size_t joint;
+    std::string key;
+};
+
+Followed followed(const Case& c, const TemperatureColumn& column) {
+    const std::optional<JointKey> named = joint_key(column.key);
+    if (!named) return {c.joints.size(), column.key};
+    const auto found = std::find_if(c.joints.begin(), c.joints.end(),
+                                    [&](const PlateJoint& joint) { return joint.name == named->joint; });
+    STRIDOR_EXPECT(found != c.joints.end());
+    return {static_cast<std::size_t>(found - c.joints.begin()), named->key};
+}
+
 double interpolated(const std::vector<double>& at, const std::vector<double>& values, double temperature) {
     const auto above = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), temperature) - at.begin());
     if (above == 0) return values.front();
@@ -57,6 +72,15 @@ const TemperatureColumn* temperature_column(const Case& c, std::string_view key)
         const std::optional<JointKey> named = joint_key(each.key);
         return named && named->key == key;
     });
+    return found == columns.end() ? nullptr : &*found;
+}
+
+const TemperatureColumn* temperature_column(CaseView at, const Field& field) {
+    const std::string key = has_several_joints(at.c) && is_of_joint(field)
+                                ? key_of_joint(field, joint_name(at.c, at.joint))
+                                : key_of(field);
+    const auto& columns = at.c.temperature.columns;
+    const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.key == key; });
     return found == columns.end() ? nullptr : &*found;
 }
 
@@ -107,9 +131,13 @@ void set_temperature_table(Case& c, std::vector<double> at, std::vector<Temperat
     if (columns.empty())
         base::refuse("temperature.at stands alone", "nothing follows the temperature",
                      "Write for example axial_stiffness = [...] below it, with a value at each temperature.");
-    std::sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return rank(a.key) < rank(b.key); });
+    const auto place = [&](const TemperatureColumn& column) {
+        const Followed of = followed(c, column);
+        return std::pair(of.joint, rank(of.key));
+    };
+    std::sort(columns.begin(), columns.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
     for (std::size_t k = 0; k < columns.size(); ++k) {
-        STRIDOR_EXPECT(rank(columns[k].key) < std::ssize(followers));
+        STRIDOR_EXPECT(place(columns[k]).second < std::ssize(followers));
         check_length(columns[k], at.size());
         if (k > 0 && columns[k].key == columns[k - 1].key)
             base::refuse(columns[k].key + " stands twice in [temperature]", "a table has one column of it",
@@ -122,34 +150,17 @@ void set_temperature_table(Case& c, std::vector<double> at, std::vector<Temperat
     keep_damping_ratios(c);
 }
 
-namespace {
-
-// of the plate, or of the joint in the first place
-void keep_column(Case& c, const TemperatureColumn& column, std::string_view key) {
-    const double value = interpolated(c.temperature.at, column.values, c.temperature.value);
-    std::optional<double>* ratio = damping_ratio_of(c, key);
-    if (ratio != nullptr) ratio->reset();
-    if (column.holds == TemperatureColumn::Holds::damping_ratio)
-        *ratio = value;
-    else
-        std::get<Quantity>(find_field(key)->kind).set(c, value);
-}
-
-}  // namespace
-
 void keep_temperature_table(Case& c) {
-    for (const TemperatureColumn& column : c.temperature.columns)
-        if (!joint_key(column.key)) keep_column(c, column, column.key);
-    if (c.further_joints.empty() || c.temperature.columns.empty()) return;
-    for (std::size_t joint = 0; joint < joint_count(c); ++joint) {
-        const std::string name = joint_name(c, joint);
-        exchange_joints(c, joint);
-        for (const TemperatureColumn& column : c.temperature.columns) {
-            const std::optional<JointKey> named = joint_key(column.key);
-            if (named && named->joint == name) keep_column(c, column, named->key);
-        }
-        keep_damping_ratios(c);
-        exchange_joints(c, joint);
+    for (const TemperatureColumn& column : c.temperature.columns) {
+        const Followed of = followed(c, column);
+        const CaseToSet at(c, of.joint < c.joints.size() ? of.joint : 0);
+        const double value = interpolated(c.temperature.at, column.values, c.temperature.value);
+        std::optional<double>* ratio = damping_ratio_of(at, of.key);
+        if (ratio != nullptr) ratio->reset();
+        if (column.holds == TemperatureColumn::Holds::damping_ratio)
+            *ratio = value;
+        else
+            std::get<Quantity>(find_field(of.key)->kind).set(at, value);
     }
 }
 

@@ -26,6 +26,9 @@ bool has_temperature_table(const Case& c);
 /// its own, "joint.lip2.axial_stiffness"; "joint.axial_stiffness" is the first of them there.
 const TemperatureColumn* temperature_column(const Case& c, std::string_view key);
 
+/// The column of a field, of several joints that of this one.
+const TemperatureColumn* temperature_column(CaseView at, const Field& field);
+
 /// A column out of texts as `set_from_text` takes them: "60 N/mm", "0.7"; a damping may be "15 %" at all nodes. Throws
 /// `Error` (input) without a place for a value the field does not take, and for shares among other dampings.
 TemperatureColumn read_temperature_column(const Field& field, std::span<const std::string> texts);
@@ -37,13 +40,14 @@ std::vector<double> read_temperature_nodes(std::span<const std::string> texts);
 /// Throws `Error` (input) without a place for a column that has not one value at each node.
 void check_length(const TemperatureColumn& column, std::size_t nodes);
 
-/// Gives a case its table; a temperature outside of it becomes that of its nearer end. Throws `Error` (input) without a
-/// place for columns that are not as long as there are nodes, for a table without columns, and for two columns of one
-/// quantity.
+/// Gives a case its table. Of several joints columns have keys with names and stand joint by joint, the plate's behind
+/// them. A temperature outside of it becomes that of its nearer end.
+/// Throws `Error` (input) without a place for columns that are not as long as there are nodes, for a table without
+/// columns, and for two columns of one quantity.
 void set_temperature_table(Case& c, std::vector<double> at, std::vector<TemperatureColumn> columns);
 
 /// Makes the properties that follow the temperature what they are at the present one, of each joint; dampings that are
-/// shares of critical are not yet numbers then where there is one joint (`keep_damping_ratios`).
+/// shares of critical are not yet numbers then (`keep_damping_ratios`).
 void keep_temperature_table(Case& c);
 
 /// The nodes as a user would write them: "-30 degC".

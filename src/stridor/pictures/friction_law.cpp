@@ -110,7 +110,7 @@ drawing::Scene friction_law_of(const parameters::Case& c) {
         if (!parameters::has_one_value(c, key))
             base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
                          "this is the picture of one law of friction", "");
-    return friction_law(c.own_structure ? one_law(c) : c.contact);
+    return friction_law(c.own_structure ? one_law(c) : c.contact());
 }
 
 }  // namespace stridor::pictures

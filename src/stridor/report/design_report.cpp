@@ -60,11 +60,6 @@ Section verdict_section(const DesignResults& results) {
     return section;
 }
 
-// the friction that a contact rubs with, and what presses it
-parameters::Contact laws_of(const parameters::Case& c, std::size_t contact) {
-    return c.own_structure ? parameters::contact_of(c, contact) : parameters::alone(c, contact).contact;
-}
-
 // what was counted in each phase of the design, by the phase's name
 std::vector<std::pair<std::string, const record::Tally*>> tallies_of(const DesignResults& results) {
     std::vector<std::pair<std::string, const record::Tally*>> all;
@@ -108,7 +103,7 @@ Section contacts_section(const DesignResults& results) {
                             all.contacts.size(), shown.size(), name));
         for (const std::size_t k : shown) {
             const analysis::Evidence e = analysis::evidence(phase, k);
-            const parameters::Contact laws = laws_of(c, k);
+            const parameters::Contact laws = parameters::contact_of(c, k);
             section.table.rows.push_back(
                 {parameters::contact_name(c, k), name,
                  all.contacts[k] ? std::string(classification::word(*all.contacts[k])) : "unloaded",
@@ -364,7 +359,7 @@ std::vector<Section> figure_sections(const DesignResults& results) {
 Report design_report(const DesignResults& results) {
     Report report = first_page(results);
     std::vector<Section>& sections = report.sections;
-    if (!results.design.further_joints.empty()) sections.push_back(sketch_section(results.design));
+    if (parameters::has_several_joints(results.design)) sections.push_back(sketch_section(results.design));
     if (!results.sounds.empty())
         sections.push_back(sound_section(results));
     else if (!results.without_sound.empty())

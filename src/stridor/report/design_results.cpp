@@ -164,7 +164,7 @@ analysis::ScanRange telling_range(const Case& design) {
     const std::vector<double>& at = design.temperature.at;
     if (parameters::temperature_column(design, friction) != nullptr)
         return {"temperature.value", at.front(), at.back()};
-    return {std::string(friction), 0.0, design.contact.static_friction};
+    return {std::string(friction), 0.0, design.contact().static_friction};
 }
 
 }  // namespace

@@ -270,7 +270,7 @@ Report first_page(const DesignResults& results) {
     for (const Verdict& verdict : results.verdicts)
         page.lead.push_back(plain_words(verdict));
     // several joints are wider than this place
-    if (c.further_joints.empty()) {
+    if (!parameters::has_several_joints(c)) {
         page.sketch = c.own_structure ? structure_sketch_svg(c) : sketch_svg(c);
         page.sketch_caption = sketch_caption(c);
     }

@@ -238,11 +238,11 @@ std::string preload(Crowd& crowd) {
 }
 
 // below the plate, where nothing else is
-std::string values(const parameters::Case& c) {
+std::string values(const parameters::PlateJoint& of) {
     constexpr double left = 20.0;
-    return sign({left, contact.y + 50}, "F", "", fmt::format("{:.4g} N", c.contact.preload)) +
-           sign({left, contact.y + 67}, "α", "", fmt::format("{:g}°", c.joint.incidence_angle)) +
-           sign({left, contact.y + 84}, "μ", "d", fmt::format("{:g}", c.contact.kinetic_friction));
+    return sign({left, contact.y + 50}, "F", "", fmt::format("{:.4g} N", of.contact.preload)) +
+           sign({left, contact.y + 67}, "α", "", fmt::format("{:g}°", of.joint.incidence_angle)) +
+           sign({left, contact.y + 84}, "μ", "d", fmt::format("{:g}", of.contact.kinetic_friction));
 }
 
 std::string joint() {
@@ -255,8 +255,8 @@ std::string joint() {
 }
 
 // the joint, how it is held and pressed, and what all of it is called
-std::string joint_part(const parameters::Case& c) {
-    const double angle = c.joint.incidence_angle;
+std::string joint_part(const parameters::PlateJoint& of) {
+    const double angle = of.joint.incidence_angle;
     const std::array<Support, 2> supports = joint_supports(angle);
     Crowd crowd;
     crowd.add({body.x - 25, body.y - 19}, {body.x + 25, body.y - 19});
@@ -278,19 +278,18 @@ std::string joint_part(const parameters::Case& c) {
 namespace {
 
 // one of several joints in its place, with its name above its values
-std::string joint_in_place(const parameters::Case& c, std::size_t joint) {
-    const parameters::Case only = parameters::alone(c, joint);
+std::string joint_in_place(const parameters::PlateJoint& of, std::size_t place) {
     const std::string name = fmt::format("<text x=\"20\" y=\"{:.1f}\" font-weight=\"bold\">{}</text>", contact.y + 34,
-                                         base::markup_text(parameters::joint_name(c, joint)));
-    return fmt::format("<g transform=\"translate({:.1f} 0)\">", static_cast<double>(joint) * width) + joint_part(only) +
-           name + values(only) + "</g>";
+                                         base::markup_text(of.name));
+    return fmt::format("<g transform=\"translate({:.1f} 0)\">", static_cast<double>(place) * width) + joint_part(of) +
+           name + values(of) + "</g>";
 }
 
 std::string joints_in_place(const parameters::Case& c) {
-    if (c.further_joints.empty()) return joint_part(c) + values(c);
+    if (!parameters::has_several_joints(c)) return joint_part(c.joints.front()) + values(c.joints.front());
     std::string text;
     for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)
-        text += joint_in_place(c, joint);
+        text += joint_in_place(c.joints[joint], joint);
     return text;
 }
 

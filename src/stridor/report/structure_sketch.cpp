@@ -95,7 +95,7 @@ std::string structure_sketch_svg(const parameters::Case& c) {
         fmt::format("{} rows, {} contact{}", own.row.size(), own.contacts.size(), own.contacts.size() == 1 ? "" : "s"));
     if (parameters::is_preloaded(own))
         text += fmt::format("<path d=\"M {0:.1f} 18 v 34 m -5 -9 l 5 9 l 5 -9\"/>", middle) +
-                text_at(middle + 46.0, 34.0, fmt::format("F = {:.4g} N", c.contact.preload));
+                text_at(middle + 46.0, 34.0, fmt::format("F = {:.4g} N", c.contact().preload));
     text += contacts_drawing(c);
     text += fmt::format("<rect x=\"10\" y=\"{:.1f}\" width=\"320\" height=\"18\"/>", surface);
     text += fmt::format("<path d=\"M 130 {0:.1f} h 80 m -9 -5 l 9 5 l -9 5\"/>", surface + 66.0);

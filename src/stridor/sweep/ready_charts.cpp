@@ -55,7 +55,7 @@ Axis rising_evenly(std::string_view parameter, double from, double to) {
 
 // 50 mm of a lip, which bends 16 times as easily as it is compressed, on a door's outer panel
 void make_lip(Case& c) {
-    c.joint = Joint{4e-3, 2.5e4, 1.5e3, 1.5, 0.4, 60.0};
+    c.joint() = Joint{4e-3, 2.5e4, 1.5e3, 1.5, 0.4, 60.0};
     c.plate = Plate{0.35, 4e5, 5.0};
 }
 
@@ -63,7 +63,7 @@ Study weatherstrip() {
     Case c = at_constant_velocity(0.05, 1.0);
     c.title = "weatherstrip: a seal's lip on paint";
     make_lip(c);
-    c.contact = Contact{.preload = 8.0, .static_friction = 1.2, .kinetic_friction = 0.9};
+    c.contact() = Contact{.preload = 8.0, .static_friction = 1.2, .kinetic_friction = 0.9};
     return soft_plane(c, rising_by_factors("contact.preload", 1.0, 40.0),
                       rising_evenly("contact.kinetic_friction", 0.2, 1.2));
 }
@@ -76,7 +76,7 @@ Study weatherstrip_shaken() {
     c.drive.frequency = 12.0;
     c.run.duration = 2.0;
     make_lip(c);
-    c.contact = Contact{.preload = 0.42, .static_friction = 0.7, .kinetic_friction = 0.6};
+    c.contact() = Contact{.preload = 0.42, .static_friction = 0.7, .kinetic_friction = 0.6};
     return soft_plane(c, rising_by_factors("contact.preload", 0.1, 2.0),
                       rising_evenly("contact.kinetic_friction", 0.1, 0.7));
 }
@@ -85,9 +85,9 @@ Study weatherstrip_shaken() {
 Study glass_run() {
     Case c = at_constant_velocity(0.12, 2.0);
     c.title = "glass run: a guiding lip on a side window";
-    c.joint = Joint{3e-3, 4e4, 4e3, 1.0, 0.5, 50.0};
+    c.joint() = Joint{3e-3, 4e4, 4e3, 1.0, 0.5, 50.0};
     c.plate = Plate{1.5, 4e5, 30.0};
-    c.contact = Contact{.preload = 10.0, .static_friction = 1.0, .kinetic_friction = 0.4};
+    c.contact() = Contact{.preload = 10.0, .static_friction = 1.0, .kinetic_friction = 0.4};
     return soft_plane(c, rising_by_factors("drive.velocity", 5e-3, 0.3),
                       rising_evenly("contact.static_friction", 0.4, 1.4));
 }
@@ -96,9 +96,9 @@ Study glass_run() {
 Study clip() {
     Case c = at_constant_velocity(4e-3, 2.0);
     c.title = "clip: a plastic retainer in its hole";
-    c.joint = Joint{5e-3, 2.5e5, 6e4, 2.0, 1.0, 65.0};
+    c.joint() = Joint{5e-3, 2.5e5, 6e4, 2.0, 1.0, 65.0};
     c.plate = Plate{0.25, 3e5, 8.0};
-    c.contact = Contact{.preload = 20.0, .static_friction = 0.5, .kinetic_friction = 0.3};
+    c.contact() = Contact{.preload = 20.0, .static_friction = 0.5, .kinetic_friction = 0.3};
     return soft_plane(c, rising_by_factors("contact.preload", 2.0, 80.0),
                       rising_evenly("contact.kinetic_friction", 0.1, 0.5));
 }
@@ -107,9 +107,9 @@ Study clip() {
 Study wiper() {
     Case c = at_constant_velocity(0.8, 1.0);
     c.title = "wiper: a blade's lip on glass";
-    c.joint = Joint{6e-3, 2.4e5, 1.2e4, 1.5, 1.2, 75.0};
+    c.joint() = Joint{6e-3, 2.4e5, 1.2e4, 1.5, 1.2, 75.0};
     c.plate = Plate{0.35, 8e4, 10.0};
-    c.contact = Contact{.preload = 10.0, .static_friction = 1.3, .kinetic_friction = 0.8};
+    c.contact() = Contact{.preload = 10.0, .static_friction = 1.3, .kinetic_friction = 0.8};
     return soft_plane(c, rising_by_factors("drive.velocity", 0.05, 1.5),
                       rising_evenly("contact.kinetic_friction", 0.1, 1.3));
 }
@@ -118,9 +118,9 @@ Study wiper() {
 Study brake_pad() {
     Case c = at_constant_velocity(0.02, 3.0);
     c.title = "brake pad: pad and caliper on a disc that creeps";
-    c.joint = Joint{4.0, 3.2e7, 1e6, 400.0, 60.0, 86.0};
+    c.joint() = Joint{4.0, 3.2e7, 1e6, 400.0, 60.0, 86.0};
     c.plate = Plate{6.0, 2.4e8, 600.0};
-    c.contact = Contact{.preload = 1000.0, .static_friction = 0.5, .kinetic_friction = 0.4};
+    c.contact() = Contact{.preload = 1000.0, .static_friction = 0.5, .kinetic_friction = 0.4};
     return soft_plane(c, rising_by_factors("drive.velocity", 2e-3, 0.3),
                       rising_evenly("contact.kinetic_friction", 0.2, 0.5));
 }
@@ -140,7 +140,7 @@ Study figure_6(double incidence_angle) {
     Study study;
     study.base = constant_drive();
     study.base.title = "contact-state rates over velocity and preload (Figure 6)";
-    study.base.joint.incidence_angle = incidence_angle;
+    study.base.joint().incidence_angle = incidence_angle;
     study.x = {"drive.velocity", 0.01, 1.0, 30, Scale::logarithmic};
     study.y = {"contact.preload", 2.0, 4000.0, 30, Scale::logarithmic};
     study.directions = {parameters::Direction::going};
@@ -179,7 +179,7 @@ Axis usual_axis(const parameters::Case& c, std::string_view key, int points) {
     const std::optional<parameters::UsualRange> range = parameters::usual_range(c, key);
     STRIDOR_EXPECT(range.has_value());
     Axis axis{std::string(key), range->from, range->to, points, range->scale};
-    if (key == "contact.kinetic_friction") axis.to = c.contact.static_friction;
+    if (key == "contact.kinetic_friction") axis.to = c.contact().static_friction;
     if (axis.to < 0.0) axis = {axis.parameter, -axis.to, -axis.from, points, axis.scale};
     return axis;
 }
@@ -191,7 +191,7 @@ std::pair<Axis, Axis> usual_axes(const parameters::Case& c, int points) {
     std::vector<Axis> axes;
     for (const std::string_view key : wanted) {
         const bool is_taken = key == "structure.stiffness_scale" && !axes.empty();
-        const bool has_width = key != "contact.kinetic_friction" || c.contact.static_friction > 0.0;
+        const bool has_width = key != "contact.kinetic_friction" || c.contact().static_friction > 0.0;
         if (axes.size() < 2 && !is_taken && has_width && parameters::usual_range(c, key))
             axes.push_back(usual_axis(c, key, points));
     }

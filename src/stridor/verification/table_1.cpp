@@ -44,12 +44,12 @@ using parameters::Direction;
 using parameters::PaperCase;
 
 Case with_friction(Case c, double mu) {
-    c.contact.kinetic_friction = mu;
+    c.contact().kinetic_friction = mu;
     return c;
 }
 
 Case undamped(Case c) {
-    c.joint.axial_damping = c.joint.flexural_damping = c.plate.damping = 0.0;
+    c.joint().axial_damping = c.joint().flexural_damping = c.plate.damping = 0.0;
     return c;
 }
 
@@ -76,7 +76,7 @@ std::vector<Check> constant_drive_checks() {
     std::vector<Check> checks;
     for (const StickSlip& known : stick_slips) {
         parameters::Case c = parameters::paper_case(parameters::PaperCase::squeak);
-        c.contact.preload = known.preload;
+        c.contact().preload = known.preload;
         c.drive = constant_drive(-0.1257);
         c.run.initial = parameters::Initial::stuck;
         c.run.duration = 2.0;
@@ -121,7 +121,7 @@ std::vector<Check> stability_checks() {
     add("its frequency [Hz]", squeal_frequency, grown.frequency, 0.05);
     for (const auto& [angle, onset] : flutter_onsets) {
         Case tilted = c;
-        tilted.joint.incidence_angle = angle;
+        tilted.joint().incidence_angle = angle;
         checks.push_back({fmt::format("flutter onset mu at {:g} deg", angle), onset,
                           over_friction(tilted, 1.0).boundaries.at(0).value, 5e-4});
     }

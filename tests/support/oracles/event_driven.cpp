@@ -32,15 +32,15 @@ State plus(const State& a, const State& b, double factor) {
 class System {
 public:
     explicit System(const parameters::Case& c) : c_(c) {
-        const double angle = c.joint.incidence_angle * pi / 180.0;
+        const double angle = c.joint().incidence_angle * pi / 180.0;
         const double along = std::cos(angle), across = std::sin(angle);
         const auto rotate = [&](double axial, double flexural, double& xx, double& yy, double& xy) {
             xx = axial * along * along + flexural * across * across;
             yy = axial * across * across + flexural * along * along;
             xy = (axial - flexural) * across * along;
         };
-        rotate(c.joint.axial_stiffness, c.joint.flexural_stiffness, kxx_, kyy_, kxy_);
-        rotate(c.joint.axial_damping, c.joint.flexural_damping, cxx_, cyy_, cxy_);
+        rotate(c.joint().axial_stiffness, c.joint().flexural_stiffness, kxx_, kyy_, kxy_);
+        rotate(c.joint().axial_damping, c.joint().flexural_damping, cxx_, cyy_, cxy_);
     }
 
     double surface_velocity(double t) const {
@@ -61,33 +61,35 @@ public:
     double plate_y(const State& s) const { return c_.plate.damping * s[5] + c_.plate.stiffness * s[2]; }
 
     double closed_acceleration(const State& s) const {
-        return -(joint_y(s) + plate_y(s)) / (c_.joint.mass + c_.plate.mass);
+        return -(joint_y(s) + plate_y(s)) / (c_.joint().mass + c_.plate.mass);
     }
     double normal_force(const State& s) const {
-        return c_.contact.preload - c_.plate.mass * closed_acceleration(s) - plate_y(s);
+        return c_.contact().preload - c_.plate.mass * closed_acceleration(s) - plate_y(s);
     }
-    double stick_force(const State& s, double t) const { return c_.joint.mass * surface_acceleration(t) + joint_x(s); }
+    double stick_force(const State& s, double t) const {
+        return c_.joint().mass * surface_acceleration(t) + joint_x(s);
+    }
 
     // what must stay positive for the state to last; sign is that of the slip velocity
     double margin(ContactState state, double sign, const State& s, double t) const {
         if (state == ContactState::separation) return s[1] - s[2];
         const double N = normal_force(s);
         if (state == ContactState::slip) return std::min(N, sign * (s[3] - surface_velocity(t)) * force_per_velocity);
-        return std::min(N, c_.contact.static_friction * N - std::abs(stick_force(s, t)));
+        return std::min(N, c_.contact().static_friction * N - std::abs(stick_force(s, t)));
     }
 
     State derivative(ContactState state, double sign, const State& s, double t) const {
         State d{s[3], s[4], s[5], 0.0, 0.0, 0.0};
         if (state == ContactState::separation) {
-            d[3] = -joint_x(s) / c_.joint.mass;
-            d[4] = (-c_.contact.preload - joint_y(s)) / c_.joint.mass;
-            d[5] = (c_.contact.preload - plate_y(s)) / c_.plate.mass;
+            d[3] = -joint_x(s) / c_.joint().mass;
+            d[4] = (-c_.contact().preload - joint_y(s)) / c_.joint().mass;
+            d[5] = (c_.contact().preload - plate_y(s)) / c_.plate.mass;
             return d;
         }
         d[4] = d[5] = closed_acceleration(s);
         d[3] = state == ContactState::stick
                    ? surface_acceleration(t)
-                   : (-sign * c_.contact.kinetic_friction * normal_force(s) - joint_x(s)) / c_.joint.mass;
+                   : (-sign * c_.contact().kinetic_friction * normal_force(s) - joint_x(s)) / c_.joint().mass;
         return d;
     }
 
@@ -104,12 +106,12 @@ public:
 
     // velocities just after the surfaces met
     State impact(State s, double t) const {
-        const double m1 = c_.joint.mass, m2 = c_.plate.mass;
+        const double m1 = c_.joint().mass, m2 = c_.plate.mass;
         const double common = (m1 * s[4] + m2 * s[5]) / (m1 + m2);
         const double impulse = m1 * (common - s[4]);
         const double w = s[3] - surface_velocity(t);
-        const bool stops = m1 * std::abs(w) <= c_.contact.static_friction * impulse;
-        s[3] = stops ? surface_velocity(t) : s[3] - std::copysign(c_.contact.kinetic_friction * impulse / m1, w);
+        const bool stops = m1 * std::abs(w) <= c_.contact().static_friction * impulse;
+        s[3] = stops ? surface_velocity(t) : s[3] - std::copysign(c_.contact().kinetic_friction * impulse / m1, w);
         s[4] = s[5] = common;
         return s;
     }
@@ -124,7 +126,7 @@ public:
             return ContactState::slip;
         }
         const double T = stick_force(s, t);
-        if (std::abs(T) <= c_.contact.static_friction * N) return ContactState::stick;
+        if (std::abs(T) <= c_.contact().static_friction * N) return ContactState::stick;
         sign = T > 0.0 ? -1.0 : 1.0;
         return ContactState::slip;
     }
@@ -177,7 +179,7 @@ IndependentMotion event_driven(const parameters::Case& c, double step, int sampl
             t += high;
             if (state == ContactState::separation) {
                 s = system.impact(s, t);
-                s[1] = s[2] = (c.joint.mass * s[1] + c.plate.mass * s[2]) / (c.joint.mass + c.plate.mass);
+                s[1] = s[2] = (c.joint().mass * s[1] + c.plate.mass * s[2]) / (c.joint().mass + c.plate.mass);
             } else if (state == ContactState::slip && system.normal_force(s) > 0.0) {
                 s[3] = system.surface_velocity(t);  // the slip velocity ran through zero
             }

@@ -39,14 +39,14 @@ struct Sum {
 class Laws {
 public:
     Laws(const Case& c, const integration::Motion& motion) : c_(c), motion_(motion), trace_(motion.record.trace) {
-        const double angle = c.joint.incidence_angle * std::numbers::pi / 180.0;
+        const double angle = c.joint().incidence_angle * std::numbers::pi / 180.0;
         const double along = std::cos(angle), across = std::sin(angle);
         const auto rotate = [&](double axial, double flexural) {
             return std::array{axial * along * along + flexural * across * across,
                               axial * across * across + flexural * along * along, (axial - flexural) * across * along};
         };
-        stiffness_ = rotate(c.joint.axial_stiffness, c.joint.flexural_stiffness);
-        damping_ = rotate(c.joint.axial_damping, c.joint.flexural_damping);
+        stiffness_ = rotate(c.joint().axial_stiffness, c.joint().flexural_stiffness);
+        damping_ = rotate(c.joint().axial_damping, c.joint().flexural_damping);
     }
 
     std::string first_broken() {
@@ -101,11 +101,11 @@ private:
     // [J] what rounding makes of energies: displacements along a soft spring count with the stiff one's forces,
     // velocities with the plate's, which they are set to where a slip reverses or ends
     double idle_energy() const {
-        const double soft = std::min({c_.joint.axial_stiffness, c_.joint.flexural_stiffness, c_.plate.stiffness});
-        const double stiff = std::max({c_.joint.axial_stiffness, c_.joint.flexural_stiffness, c_.plate.stiffness});
-        const double heavy = std::max(c_.joint.mass, c_.plate.mass);
+        const double soft = std::min({c_.joint().axial_stiffness, c_.joint().flexural_stiffness, c_.plate.stiffness});
+        const double stiff = std::max({c_.joint().axial_stiffness, c_.joint().flexural_stiffness, c_.plate.stiffness});
+        const double heavy = std::max(c_.joint().mass, c_.plate.mass);
         const double V = largest_surface_velocity();
-        const double F = c_.contact.preload;
+        const double F = c_.contact().preload;
         double largest = 1e-16 * (F * F / soft + heavy * V * V);
         for (std::size_t k = 0; k < trace_.time.size(); ++k) {
             const auto u = at(trace_.displacement, k), v = at(trace_.velocity, k);
@@ -132,12 +132,12 @@ private:
 
     void check_sample(std::size_t k) {
         const auto u = at(trace_.displacement, k), v = at(trace_.velocity, k), a = at(trace_.acceleration, k);
-        const double F = c_.contact.preload;
-        const double stiffest = std::max(c_.joint.axial_stiffness, c_.joint.flexural_stiffness);
-        const double most_damped = std::max(c_.joint.axial_damping, c_.joint.flexural_damping);
+        const double F = c_.contact().preload;
+        const double stiffest = std::max(c_.joint().axial_stiffness, c_.joint().flexural_stiffness);
+        const double most_damped = std::max(c_.joint().axial_damping, c_.joint().flexural_damping);
         Sum tangential, above, below;  // T, N on mass 1, N on mass 2
-        tangential.add(c_.joint.mass * a[0]);
-        above.add(c_.joint.mass * a[1]);
+        tangential.add(c_.joint().mass * a[0]);
+        above.add(c_.joint().mass * a[1]);
         add_joint(tangential, stiffness_[0], stiffness_[2], stiffest, u);
         add_joint(tangential, damping_[0], damping_[2], most_damped, v);
         add_joint(above, stiffness_[2], stiffness_[1], stiffest, u);
@@ -189,7 +189,7 @@ private:
     void check_friction(std::size_t k, const Closed& now) {
         const double time = trace_.time[k];
         const double N = trace_.contacts.front().normal_force[k], T = trace_.contacts.front().friction_force[k];
-        const model::FrictionLaw law = model::friction_law(c_.contact);
+        const model::FrictionLaw law = model::friction_law(c_.contact());
         if (trace_.contacts.front().state[k] == ContactState::stick) {
             expect(std::abs(now.w) <= rounding * now.speed, "stuck contact moves with ", now.w, " at ", time);
             const double limit = stick_limit(law, model::slip_against(now.tangential));
@@ -243,7 +243,7 @@ private:
     const record::Trace& trace_;
     std::array<double, 3> stiffness_{};  // [N/m] xx, yy, xy
     std::array<double, 3> damping_{};    // [N*s/m]
-    double fastest_ = std::sqrt((c_.joint.axial_stiffness + c_.joint.flexural_stiffness) / c_.joint.mass +
+    double fastest_ = std::sqrt((c_.joint().axial_stiffness + c_.joint().flexural_stiffness) / c_.joint().mass +
                                 c_.plate.stiffness / c_.plate.mass);  // [rad/s]
     std::string broken_;
 };

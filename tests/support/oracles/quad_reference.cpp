@@ -56,7 +56,7 @@ struct Expansion {
 
 Constants prepare(const parameters::Case& c, const QuadOptions& options) {
     Constants k{};
-    const auto [s, q] = sine_cosine(Quad(c.joint.incidence_angle) * quad_pi() / 180);
+    const auto [s, q] = sine_cosine(Quad(c.joint().incidence_angle) * quad_pi() / 180);
     const auto rotate = [&, sine = s, cosine = q](double along, double across, Quad& xx, Quad& yy, Quad& xy) {
         const Quad axial = static_cast<Quad>(along);
         const Quad flexural = static_cast<Quad>(across);
@@ -64,23 +64,23 @@ Constants prepare(const parameters::Case& c, const QuadOptions& options) {
         yy = axial * sine * sine + flexural * cosine * cosine;
         xy = (axial - flexural) * sine * cosine;
     };
-    rotate(c.joint.axial_stiffness, c.joint.flexural_stiffness, k.kxx, k.kyy, k.kxy);
-    rotate(c.joint.axial_damping, c.joint.flexural_damping, k.cxx, k.cyy, k.cxy);
-    k.m1 = Quad(c.joint.mass);
+    rotate(c.joint().axial_stiffness, c.joint().flexural_stiffness, k.kxx, k.kyy, k.kxy);
+    rotate(c.joint().axial_damping, c.joint().flexural_damping, k.cxx, k.cyy, k.cxy);
+    k.m1 = Quad(c.joint().mass);
     k.m2 = Quad(c.plate.mass);
     k.k2y = Quad(c.plate.stiffness);
     k.c2y = Quad(c.plate.damping);
-    k.preload = Quad(c.contact.preload);
-    k.mu_s = Quad(c.contact.static_friction);
-    k.mu_d = Quad(c.contact.kinetic_friction);
+    k.preload = Quad(c.contact().preload);
+    k.mu_s = Quad(c.contact().static_friction);
+    k.mu_d = Quad(c.contact().kinetic_friction);
     const bool is_constant = c.drive.kind == parameters::DriveKind::constant;
     k.omega = is_constant ? Quad(0) : 2 * quad_pi() * Quad(c.drive.frequency);
 
     // above every frequency and decay rate of every contact state
-    const double lightest = std::min(c.joint.mass, c.plate.mass);
-    const double all_springs = c.joint.axial_stiffness + c.joint.flexural_stiffness + c.plate.stiffness;
-    const double all_dashpots = c.joint.axial_damping + c.joint.flexural_damping + c.plate.damping;
-    const double friction = 1.0 + c.contact.kinetic_friction;
+    const double lightest = std::min(c.joint().mass, c.plate.mass);
+    const double all_springs = c.joint().axial_stiffness + c.joint().flexural_stiffness + c.plate.stiffness;
+    const double all_dashpots = c.joint().axial_damping + c.joint().flexural_damping + c.plate.damping;
+    const double friction = 1.0 + c.contact().kinetic_friction;
     const double rate = std::sqrt(2.0 * friction * all_springs / lightest) + friction * all_dashpots / lightest +
                         static_cast<double>(k.omega);
     k.step = Quad(options.step_share / rate);

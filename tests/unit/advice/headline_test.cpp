@@ -111,7 +111,7 @@ TEST(Neighbourhood, FindsTheChangeThatEndsASilence) {
     c.run.duration = c.run.window = 0.4;
     const auto quiet_at = [&](double friction) {
         Case changed = c;
-        changed.contact.kinetic_friction = friction;
+        changed.contact().kinetic_friction = friction;
         return is_quiet(standing_of(changed, Look::here).present);
     };
     double quiet = 0.2, noisy = 0.6;
@@ -120,8 +120,8 @@ TEST(Neighbourhood, FindsTheChangeThatEndsASilence) {
         const double middle = 0.5 * (quiet + noisy);
         (quiet_at(middle) ? quiet : noisy) = middle;
     }
-    c.contact.kinetic_friction = quiet / 1.008;
-    ASSERT_TRUE(quiet_at(c.contact.kinetic_friction));
+    c.contact().kinetic_friction = quiet / 1.008;
+    ASSERT_TRUE(quiet_at(c.contact().kinetic_friction));
     const DesignStanding design = standing_of(c, Look::around);
     ASSERT_EQ(standing(design.present, design.near), Standing::barely_quiet);
     const auto& turns = design.near->turns;
@@ -131,7 +131,7 @@ TEST(Neighbourhood, FindsTheChangeThatEndsASilence) {
     ASSERT_NE(found, turns.end());
     EXPECT_LE(found->relative, 0.0095);
     EXPECT_FALSE(quiet_at(found->value));
-    EXPECT_DOUBLE_EQ(found->value, c.contact.kinetic_friction * (1.0 + found->relative));
+    EXPECT_DOUBLE_EQ(found->value, c.contact().kinetic_friction * (1.0 + found->relative));
     EXPECT_TRUE(std::is_sorted(turns.begin(), turns.end(), [](const auto& a, const auto& b) {
         return std::abs(a.relative) < std::abs(b.relative);
     }));
@@ -144,14 +144,14 @@ TEST(DefaultTolerances, AreOfPartsAndContradictNothing) {
         EXPECT_FALSE(each.key.starts_with("drive.")) << each.key;
         EXPECT_GT(each.tolerance, 0.0) << each.key;
         if (each.key == "contact.preload") {
-            EXPECT_DOUBLE_EQ(each.tolerance, 0.2 * c.contact.preload);
+            EXPECT_DOUBLE_EQ(each.tolerance, 0.2 * c.contact().preload);
         }
         if (each.key == "contact.kinetic_friction") {
             EXPECT_DOUBLE_EQ(each.tolerance, 0.06);
         }
     }
     Case close = c;
-    close.contact.kinetic_friction = 0.78;
+    close.contact().kinetic_friction = 0.78;
     for (const Tolerance& each : default_tolerances(close))
         if (each.key.ends_with("friction")) {
             EXPECT_LE(each.tolerance, 0.01 + 1e-12) << each.key;

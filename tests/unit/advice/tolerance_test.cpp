@@ -222,7 +222,7 @@ double brute_force(const Case& base, std::span<const Tolerance> spreads, std::si
 
 TEST(Chance, AgreesWithBruteForce) {
     Case c = quiet;
-    c.contact.kinetic_friction = 0.4;  // the boundary of squeal is at 0.414
+    c.contact().kinetic_friction = 0.4;  // the boundary of squeal is at 0.414
     const std::vector<AskedTolerance> asked{{"preload", 0.5, {}}, {"mu_d", {}, 0.1}};
     const std::vector<Tolerance> spreads = tolerances(c, asked);
     const DesignSpace space = design_space(c, {}, {{}, {parameters::Initial::rest}});  // as the brute runs
@@ -255,7 +255,7 @@ TEST(Chance, IsTheSameForAnyNumberOfThreads) {
 // mu_d within +-0.05 of mu_s: half of the designs contradict themselves, and are counted as such
 TEST(Chance, NeverCallsWhatCannotBeQuiet) {
     Case c = quiet;
-    c.contact.static_friction = 0.2;
+    c.contact().static_friction = 0.2;
     const std::vector<AskedTolerance> asked{{"mu_d", {}, 0.05}};
     const std::vector<Tolerance> spreads = tolerances(c, asked);
     const DesignSpace space = design_space(c);

@@ -29,10 +29,10 @@ enum class Damping { table_1, none };
 SlidingStability at(double kinetic_friction, double angle = 70.0, Direction direction = Direction::going,
                     Damping damping = Damping::table_1) {
     Case c;
-    c.joint.incidence_angle = angle;
-    c.contact.kinetic_friction = kinetic_friction;
-    c.contact.static_friction = kinetic_friction;
-    if (damping == Damping::none) c.joint.axial_damping = c.joint.flexural_damping = c.plate.damping = 0.0;
+    c.joint().incidence_angle = angle;
+    c.contact().kinetic_friction = kinetic_friction;
+    c.contact().static_friction = kinetic_friction;
+    if (damping == Damping::none) c.joint().axial_damping = c.joint().flexural_damping = c.plate.damping = 0.0;
     return sliding_stability(model::rubbing_system(c), direction);
 }
 
@@ -146,7 +146,7 @@ TEST(BeltOscillator, SlidesSteadilyWithItsOwnDamping) {
 // equal joints on one plate move as one joint of so many times the mass and stiffness, or against each other
 TEST(SlidingOfSeveral, EqualJointsHasTheModesOfOneAndThoseAgainstEachOther) {
     const Case c;  // Table 1's squeal
-    const model::PlateJoint half{.joint = c.joint, .contact = c.contact};
+    const model::PlateJoint half{.joint = c.joint(), .contact = c.contact()};
     parameters::Plate plate = c.plate;
     plate.mass *= 2.0;
     plate.stiffness *= 2.0;

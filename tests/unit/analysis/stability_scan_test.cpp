@@ -46,7 +46,7 @@ TEST(StabilityPath, IncludesBothEnds) {
 TEST(StabilityPath, FindsTheBoundariesOfTable1) {
     const auto at = [](double mu) {
         parameters::Case c;
-        c.contact.kinetic_friction = mu;
+        c.contact().kinetic_friction = mu;
         return sliding_stability(model::rubbing_system(c), parameters::Direction::going);
     };
     const StabilityPath path = stability_path(at, 0.0, 5.0, 51);
@@ -82,7 +82,7 @@ TEST(StabilityScan, FollowsAQuantityByAnyOfItsNames) {
     EXPECT_EQ(scan.key, "contact.kinetic_friction");
     EXPECT_EQ(scan.unit, "1");
     parameters::Case last = squeal;
-    last.contact.kinetic_friction = 0.5;
+    last.contact().kinetic_friction = 0.5;
     for (const DirectionScan& each : scan.directions) {
         ASSERT_EQ(each.path.points.size(), 5U);
         EXPECT_EQ(each.path.points.front().value, 0.1);
@@ -113,7 +113,7 @@ TEST(StabilityScan, FollowsAKeyOfOneOfSeveralJoints) {
     EXPECT_EQ(scan.key, "joint.lower.incidence_angle");
     EXPECT_EQ(scan.unit, "deg");
     parameters::Case last = c;
-    last.further_joints[0].joint.incidence_angle = 80.0;
+    last.joints[1].joint.incidence_angle = 80.0;
     for (const DirectionScan& each : scan.directions)
         EXPECT_EQ(each.path.points.back().stability.growth,
                   sliding_stability(model::rubbing_system(last), each.direction).growth);

@@ -33,7 +33,7 @@ constexpr StateTimes slides{1.0, 0.0, 0.0}, changes{0.5, 0.375, 0.125};
 
 std::string text_of(const Motion& motion) {
     parameters::Case c;
-    parameters::add_joint(c, "lower", parameters::Case());
+    c.joints.push_back({.name = "lower"});
     return simulation_text(c, motion, classification::classify_phases(motion.record.phases, c.verdict));
 }
 

@@ -25,7 +25,7 @@ TEST(Preset, OfAFileHasItsChart) {
     EXPECT_EQ(chart.name, "file");
     EXPECT_EQ(chart.file, "pair.toml");
     ASSERT_TRUE(chart.study.has_value());
-    EXPECT_EQ(chart.study->base.contact.preload, 30.0);
+    EXPECT_EQ(chart.study->base.contact().preload, 30.0);
     EXPECT_EQ(thrown_by([] { preset_of({"contact = 1", "a.toml", {}}); }).kind, ErrorKind::input);
 }
 

@@ -43,10 +43,10 @@ Case blocks() {
     Case c = parameters::paper_case(parameters::PaperCase::squeal);
     c.drive.kind = parameters::DriveKind::constant;
     c.drive.velocity = 0.1;
-    c.contact = {};
-    c.contact.preload = 2.0;
-    c.contact.static_friction = 1.0;
-    c.contact.kinetic_friction = 0.5;
+    c.contact() = {};
+    c.contact().preload = 2.0;
+    c.contact().static_friction = 1.0;
+    c.contact().kinetic_friction = 0.5;
     c.run.duration = 4.0;
     c.run.window = 4.0;
     auto own = std::make_shared<parameters::OwnStructure>();
@@ -87,8 +87,8 @@ TEST(HeardMotion, IsThatOfTheStrongestOfSeveralJoints) {
 
 TEST(HeardMotion, TakesTheFirstOfEqualContacts) {
     Case c = lips(parameters::Direction::coming);
-    c.further_joints.front().joint = c.joint;
-    c.further_joints.front().contact = c.contact;
+    c.joints[1].joint = c.joint();
+    c.joints[1].contact = c.contact();
     EXPECT_EQ(heard_motion(c, {}).of, "upper");
 }
 
@@ -131,7 +131,7 @@ TEST(HeardMotion, IsThatOfAnOutputWhereThereIsOne) {
 
 TEST(HeardMotion, OfARunWithoutResultIsThatOfTheFirst) {
     Case c = blocks();
-    c.contact.kinetic_friction = 2.0;  // above the static one: no case at all
+    c.contact().kinetic_friction = 2.0;  // above the static one: no case at all
     EXPECT_EQ(heard_motion(c, {}).of, "slow");
 }
 

@@ -143,8 +143,8 @@ TEST(Hearing, WhatCannotMoveIsNotHeard) {
 
 TEST(Hearing, AMotionWithoutVibrationIsSilenceWhateverTheNoise) {
     parameters::Case c = audible_study().base;
-    c.contact.kinetic_friction = 0.0;
-    c.contact.preload = 20.0;
+    c.contact().kinetic_friction = 0.0;
+    c.contact().preload = 20.0;
     integration::Workspace workspace;
     HearingSettings settings;
     settings.seed = 1;
@@ -211,7 +211,7 @@ TEST(Hearing, IsKeptUnderAllThatDecidesIt) {
         return texts.insert(heard_text(study, changed)).second;
     };
     sweep::Study other = study;
-    other.base.contact.static_friction += 0.01;
+    other.base.contact().static_friction += 0.01;
     EXPECT_NE(heard_text(other, options), plain);
     HearingOptions changed = options;
     changed.settings.motion.of = "plate";

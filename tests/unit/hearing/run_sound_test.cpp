@@ -95,8 +95,8 @@ TEST(SoundOfRun, SamplesNoMoreThanFiltersLookAhead) {
 
 TEST(SoundOfRun, WhatHardlyMovesIsSilent) {
     Case c = sweep::figure_8().base;
-    c.contact.kinetic_friction = 0.0;
-    c.contact.preload = 20.0;
+    c.contact().kinetic_friction = 0.0;
+    c.contact().preload = 20.0;
     AuralisationSettings settings;
     settings.stretches = heard_stretches(c, Direction::going);
     const Signal sound = sound_of_case(c, settings);
@@ -106,7 +106,7 @@ TEST(SoundOfRun, WhatHardlyMovesIsSilent) {
 
 TEST(SoundOfCase, RefusesWhatCannotBeHeard) {
     Case c = squeal();
-    c.contact.kinetic_friction = 0.9;
+    c.contact().kinetic_friction = 0.9;
     EXPECT_EQ(thrown_by([&] { sound_of_case(c, {}); }).kind, ErrorKind::input);
     EXPECT_TRUE(heard_stretches(c, Direction::going).empty());
     c = squeal();

@@ -64,8 +64,8 @@ TEST(Compared, KnowsTheContactOfASimulationWithinItsDetail) {
 
 TEST(Compared, IsSilenceWhereNothingMovesButByRounding) {
     parameters::Case c = sweep::figure_8().base;
-    c.contact.kinetic_friction = 0.0;
-    c.contact.preload = 20.0;
+    c.contact().kinetic_friction = 0.0;
+    c.contact().preload = 20.0;
     const NamedSound still{"still", "still", "simulation",
                            SimulatedSound{c, heard_stretches(c, parameters::Direction::going)}};
     ComparisonSettings settings;

@@ -197,7 +197,7 @@ TEST(SoundSearch, GoesOnFromWhatIsKept) {
 TEST(SoundSearch, IsKeptUnderAllThatDecidesIt) {
     const std::string plain = listening_text(chart(), listening());
     sweep::Study other = chart();
-    other.base.contact.static_friction += 0.01;
+    other.base.contact().static_friction += 0.01;
     EXPECT_NE(listening_text(other, listening()), plain);
     CellListening changed = listening();
     changed.sound.rate = 48000.0;

@@ -54,7 +54,7 @@ TEST(Cancelling, EndsTheRepetitionOfALimitCycle) {
 // a heavy joint on soft springs takes steps of minutes, with a thousand million samples in each
 TEST(Cancelling, EndsTheSamplesOfOneStep) {
     Case c = constant_squeal(1000.0);
-    c.joint = {1e6, 1.0, 1.0, 0.0, 0.0, 70.0};
+    c.joint() = {1e6, 1.0, 1.0, 0.0, 0.0, 70.0};
     c.plate = {1e6, 1.0, 0.0};
     std::stop_source stop;
     std::size_t samples = 0;

@@ -52,7 +52,7 @@ RC_GTEST_PROP(ContactCoordinates, AreTangentialPositionWhatIsUnseenAndGap, ()) {
 // in contact, y is the centre of mass of joint and plate; the gap opens about it
 TEST(ContactCoordinates, OfThePapersSystemAreCentreOfMassAndGap) {
     parameters::Case given;
-    given.joint.mass = 0.1;
+    given.joint().mass = 0.1;
     given.plate.mass = 0.4;
     const auto structure = model::rubbing_system(given);
     const auto c = contact_coordinates(model::SizedStructure<3>(structure, structure.contacts[0]));
@@ -61,7 +61,7 @@ TEST(ContactCoordinates, OfThePapersSystemAreCentreOfMassAndGap) {
     EXPECT_LT((c.basis - expected).norm(), 1e-15);
     EXPECT_LT((c.mass - Eigen::Vector3d(0.1, 0.5, 0.08)).norm(), 1e-15);  // 0.1 0.4 / 0.5: the reduced mass
     EXPECT_EQ(c.tangent_on_gap, 0.0);
-    EXPECT_EQ(c.load_scale, given.contact.preload);
+    EXPECT_EQ(c.load_scale, given.contact().preload);
     EXPECT_LT((c.load - Eigen::Vector3d(0.0, 0.0, -1.0)).norm(), 1e-15);
 }
 

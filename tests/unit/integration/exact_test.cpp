@@ -45,7 +45,7 @@ parameters::Drive sampled(std::vector<double> times, std::vector<double> velocit
 // started with the plate, the joint's dashpots pull it up with Cxy |V| m2 / (m1 + m2) = 25 N: more than the preload
 TEST(Exact, OpensAtOnceWhereDashpotsOutweighThePreload) {
     Case c = constant_case(-1.0, Initial::stuck);
-    c.joint.axial_damping = 100.0;
+    c.joint().axial_damping = 100.0;
     const Motion motion = simulate(c, {record::KeepHistory::yes, {0.0, 1e-4, 1e-6}});
     EXPECT_EQ(motion.record.histories.front().front().state, ContactState::separation);
     EXPECT_EQ(motion.record.histories.front().front().from, 0.0);
@@ -81,11 +81,11 @@ TEST(Exact, StuckFollowsASinusoidalDriveOfAnyFrequency) {
 // the same system on a clock that is 1024 times as slow
 Case slowed(Case c) {
     constexpr double factor = 1024.0;
-    for (double* stiffness : {&c.joint.axial_stiffness, &c.joint.flexural_stiffness, &c.plate.stiffness})
+    for (double* stiffness : {&c.joint().axial_stiffness, &c.joint().flexural_stiffness, &c.plate.stiffness})
         *stiffness /= factor * factor;
-    for (double* damping : {&c.joint.axial_damping, &c.joint.flexural_damping, &c.plate.damping})
+    for (double* damping : {&c.joint().axial_damping, &c.joint().flexural_damping, &c.plate.damping})
         *damping /= factor;
-    c.contact.preload /= factor * factor;
+    c.contact().preload /= factor * factor;
     c.drive.frequency /= factor;
     for (double* time : {&c.run.duration, &c.run.window})
         *time *= factor;
@@ -133,8 +133,8 @@ TEST(Exact, HoldsAtTheLimitOfFrictionWhenThePlateStops) {
 TEST(Exact, HoldsAtTheLimitOfFrictionOnAPlateThatBends) {
     for (int angle = 1; angle < 180; angle += 2) {
         Case c = constant_case(-0.1, Initial::sliding);
-        c.joint.incidence_angle = angle;
-        c.contact.kinetic_friction = c.contact.static_friction = 0.4;
+        c.joint().incidence_angle = angle;
+        c.contact().kinetic_friction = c.contact().static_friction = 0.4;
         c.run.perturbation = 0.0;
         c.drive = sampled({0.0, 1e-3, 1e-2}, {-0.1, 0.0, 0.0});
         const Motion motion = simulate(c, {record::KeepHistory::yes, {}});
@@ -198,7 +198,7 @@ TEST_P(AnyInstructionSet, GivesAnyMotionBitForBit) {
         const int kind = *support::whole_between(0, 2);
         Case c = kind == 0 ? support::any_constant_case() : support::any_sinusoidal_case();
         if (kind == 2) c.drive = sampled({0.0, 0.004, 0.011, 0.02}, {0.1, -0.05, -0.05, 0.2});
-        c.contact.impact = static_cast<parameters::ImpactKind>(*support::whole_between(0, 2));
+        c.contact().impact = static_cast<parameters::ImpactKind>(*support::whole_between(0, 2));
         RC_ASSERT(same(by(GetParam(), c), by(InstructionSet::baseline, c)));
     });
 }

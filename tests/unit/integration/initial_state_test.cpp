@@ -14,8 +14,8 @@ using support::thrown_by;
 
 model::Structure structure_with(double kinetic_friction) {
     parameters::Case c;
-    c.contact.kinetic_friction = kinetic_friction;
-    c.contact.static_friction = 2.0 * kinetic_friction;
+    c.contact().kinetic_friction = kinetic_friction;
+    c.contact().static_friction = 2.0 * kinetic_friction;
     return model::rubbing_system(c);
 }
 

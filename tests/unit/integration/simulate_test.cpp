@@ -125,18 +125,18 @@ TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
 TEST(Workspace, ChangesNoRun) {
     using Change = void (*)(Case&);
     constexpr std::array<std::pair<const char*, Change>, 9> changes{{
-        {"mass", [](Case& c) { c.joint.mass *= 1.5; }},
+        {"mass", [](Case& c) { c.joint().mass *= 1.5; }},
         {"stiffness", [](Case& c) { c.plate.stiffness *= 1.5; }},
-        {"damping", [](Case& c) { c.joint.axial_damping *= 1.5; }},
-        {"angle", [](Case& c) { c.joint.incidence_angle -= 5.0; }},
-        {"preload", [](Case& c) { c.contact.preload *= 1.5; }},
-        {"static friction", [](Case& c) { c.contact.static_friction *= 1.1; }},
-        {"kinetic friction", [](Case& c) { c.contact.kinetic_friction *= 0.5; }},
-        {"kinetic friction coming", [](Case& c) { c.contact.kinetic_friction_coming *= 0.5; }},
+        {"damping", [](Case& c) { c.joint().axial_damping *= 1.5; }},
+        {"angle", [](Case& c) { c.joint().incidence_angle -= 5.0; }},
+        {"preload", [](Case& c) { c.contact().preload *= 1.5; }},
+        {"static friction", [](Case& c) { c.contact().static_friction *= 1.1; }},
+        {"kinetic friction", [](Case& c) { c.contact().kinetic_friction *= 0.5; }},
+        {"kinetic friction coming", [](Case& c) { c.contact().kinetic_friction_coming *= 0.5; }},
         {"frequency", [](Case& c) { c.drive.frequency *= 2.0; }},
     }};
     Case base;
-    base.contact.friction = parameters::FrictionKind::directional;
+    base.contact().friction = parameters::FrictionKind::directional;
     base.drive.frequency = 10.0;
     base.run.duration = base.run.window = 0.2;
     for (const auto& [name, change] : changes) {
@@ -180,19 +180,16 @@ std::vector<double> history_numbers(const Motion& motion) {
     return numbers;
 }
 
-parameters::TemperatureColumn friction_over_temperature(std::vector<double> values) {
-    return {"contact.kinetic_friction", std::move(values)};
+parameters::TemperatureColumn friction_over_temperature(const std::string& joint, std::vector<double> values) {
+    return {"joint." + joint + ".contact.kinetic_friction", std::move(values)};
 }
 
 // two lips, each with its own friction at 10 degC, 0.2 and 0.3
 Case lips_over_temperature(std::vector<double> upper, std::vector<double> lower) {
-    const std::vector<double> at{-30.0, 10.0, 50.0};
-    const Case lips = parameters::two_lips();
-    Case whole = parameters::alone(lips, 0), further = parameters::alone(lips, 1);
-    parameters::set_temperature_table(whole, at, {friction_over_temperature(std::move(upper))});
-    parameters::set_temperature_table(further, at, {friction_over_temperature(std::move(lower))});
-    whole.joint_name = "upper";
-    parameters::add_joint(whole, "lower", further);
+    Case whole = parameters::two_lips();
+    parameters::set_temperature_table(
+        whole, {-30.0, 10.0, 50.0},
+        {friction_over_temperature("upper", std::move(upper)), friction_over_temperature("lower", std::move(lower))});
     parameters::set_quantity(whole, "temperature.value", 10.0);
     whole.run.duration = whole.run.window = 0.1;
     whole.run.step = 1e-5;
@@ -201,8 +198,8 @@ Case lips_over_temperature(std::vector<double> upper, std::vector<double> lower)
 
 TEST(Simulate, JointsOverTemperatureMoveAsThoseWithTheirNumbers) {
     Case typed = parameters::two_lips();
-    typed.contact.kinetic_friction = 0.2;
-    typed.further_joints[0].contact.kinetic_friction = 0.3;
+    typed.contact().kinetic_friction = 0.2;
+    typed.joints[1].contact.kinetic_friction = 0.3;
     typed.run.duration = typed.run.window = 0.1;
     typed.run.step = 1e-5;
     const Case constant = lips_over_temperature({0.2, 0.2, 0.2}, {0.3, 0.3, 0.3});

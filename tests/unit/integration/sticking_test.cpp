@@ -52,11 +52,11 @@ TEST(Stick, LocksFromTheClosedFormOn) {
     Case c = support::seal_lip();
     const double locking = locking_friction(c);
     EXPECT_NEAR(locking, 0.734, 5e-4);
-    c.contact.static_friction = locking * (1.0 + 1e-6);
+    c.contact().static_friction = locking * (1.0 + 1e-6);
     EXPECT_EQ(at_rest(c).future, Future::sticks);
-    c.contact.static_friction = locking * (1.0 - 1e-6);
+    c.contact().static_friction = locking * (1.0 - 1e-6);
     EXPECT_EQ(at_rest(c).future, Future::releases);
-    c.contact.static_friction = 1.2;
+    c.contact().static_friction = 1.2;
     c.drive.velocity = -0.05;  // coming the normal force falls
     EXPECT_EQ(at_rest(c).future, Future::releases);
 }
@@ -72,8 +72,8 @@ TEST(Stick, CarriesMoreWithTheWayAsTheClosedFormSays) {
     const record::Drag drag = ending(c).outlook.drag;
     EXPECT_NEAR(drag.slope, slope, 1e-9 * slope);
     EXPECT_NEAR(drag.way, c.drive.velocity * c.run.duration, 2e-6);
-    EXPECT_NEAR(drag.from, c.contact.preload, 0.1);
-    EXPECT_NEAR(drag.to, c.contact.preload + slope * c.drive.velocity * c.run.duration, 0.1);
+    EXPECT_NEAR(drag.from, c.contact().preload, 0.1);
+    EXPECT_NEAR(drag.to, c.contact().preload + slope * c.drive.velocity * c.run.duration, 0.1);
     Case coming = c;
     coming.drive.velocity = -0.05;
     EXPECT_NEAR(at_rest(coming).drag.slope, -slope, 1e-9 * slope);
@@ -99,10 +99,11 @@ TEST(Stick, OfASinusoidalDriveCarriesMostAtTheEndsOfItsStroke) {
 // alpha = 0 decouples x and y: T = k x reaches mu_s F after mu_s F/(k V)
 TEST(Release, OfAMassOnABeltComesWhenTheSpringPullsItLoose) {
     Case c = support::seal_lip();
-    c.joint.incidence_angle = 0.0;
+    c.joint().incidence_angle = 0.0;
     const record::Outlook outlook = at_rest(c);
     EXPECT_EQ(outlook.future, Future::releases);
-    const double exact = c.contact.static_friction * c.contact.preload / (c.joint.axial_stiffness * c.drive.velocity);
+    const double exact =
+        c.contact().static_friction * c.contact().preload / (c.joint().axial_stiffness * c.drive.velocity);
     EXPECT_NEAR(outlook.release, exact, 0.01 * exact);  // the dashpot's share: c V/(mu_s F) = 0.8 %
 }
 
@@ -125,10 +126,10 @@ TEST(Release, ComesWhereItWasForetold) {
 // under a sinusoidal drive the bound is the swing of the forces; a hundred periods hold what the proof says
 RC_GTEST_PROP(Stick, ThatIsProvenHolds, ()) {
     Case c = support::seal_lip();
-    c.joint.incidence_angle = *support::number_between(0.0, 180.0);
-    c.contact.preload = *support::number_between(1.0, 20.0);
-    c.contact.static_friction = *support::number_between(0.2, 1.5);
-    c.contact.kinetic_friction = 0.9 * c.contact.static_friction;
+    c.joint().incidence_angle = *support::number_between(0.0, 180.0);
+    c.contact().preload = *support::number_between(1.0, 20.0);
+    c.contact().static_friction = *support::number_between(0.2, 1.5);
+    c.contact().kinetic_friction = 0.9 * c.contact().static_friction;
     c.drive.kind =
         *support::whole_between(0, 1) == 0 ? parameters::DriveKind::sinusoidal : parameters::DriveKind::constant;
     c.drive.amplitude = *support::number_between(1e-4, 2e-3);
@@ -207,10 +208,10 @@ TEST(Stick, UnderASinusoidalDriveIsJudgedAlikeAtEveryInstant) {
     ASSERT_GT(sticks, 0.3);
     for (int eighth = 0; eighth < 8; ++eighth) {
         const StuckState now = swing.at(0.25 * std::acos(-1.0) * eighth + 0.3);
-        c.contact.static_friction = sticks * (1.0 + 1e-6);
+        c.contact().static_friction = sticks * (1.0 + 1e-6);
         EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), velocity_profile(c.drive), now).future, Future::sticks)
             << eighth;
-        c.contact.static_friction = sticks * (1.0 - 1e-6);
+        c.contact().static_friction = sticks * (1.0 - 1e-6);
         EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), velocity_profile(c.drive), now).future, Future::releases)
             << eighth;
     }

@@ -61,16 +61,16 @@ TEST(CaseChanges, AreRefusedAsOverridesAreButWithoutPlace) {
 
 TEST(CaseChanges, KeepBitsOfNumbersAndLettersOfTexts) {
     const double preload = 0.1 + 0.2;
-    EXPECT_EQ(with(squeal_case(), {{"F", preload}}).contact.preload, preload);
+    EXPECT_EQ(with(squeal_case(), {{"F", preload}}).contact().preload, preload);
     EXPECT_EQ(with(squeal_case(), {{"title", "\"quoted\" = so"}}).title, "\"quoted\" = so");
 }
 
 TEST(CaseChanges, ReachOneOfSeveralJoints) {
     const Case lips = parameters::two_lips();
-    const std::string key = "joint." + lips.further_joints[0].name + ".contact.preload";
+    const std::string key = "joint." + lips.joints[1].name + ".contact.preload";
     const Case after = with(lips, {{key, "7 N"}});
-    EXPECT_EQ(after.contact.preload, lips.contact.preload);
-    EXPECT_EQ(after.further_joints[0].contact.preload, 7.0);
+    EXPECT_EQ(after.contact().preload, lips.contact().preload);
+    EXPECT_EQ(after.joints[1].contact.preload, 7.0);
 }
 
 TEST(CaseChanges, LeaveMatricesWhereTheyAre) {
@@ -78,7 +78,7 @@ TEST(CaseChanges, LeaveMatricesWhereTheyAre) {
     const Case after = with(before, {{"structure.stiffness_scale", 2.0}, {"contact.preload", 3.0}});
     EXPECT_EQ(after.own_structure, before.own_structure);
     EXPECT_EQ(after.structure_scales.stiffness, 2.0);
-    EXPECT_EQ(after.contact.preload, 3.0);
+    EXPECT_EQ(after.contact().preload, 3.0);
     expect_error(error_of([&] { with(before, {{"structure.rows", "z"}}); }), "cannot be set", "");
 }
 

@@ -161,8 +161,8 @@ MeasuredFriction measured(double mu_s, double mu_d) {
 TEST(CaseWithFriction, HasFourDigitsOfWhatWasMeasured) {
     const std::string text = case_with_friction({}, measured(0.612349, 0.45));
     const parameters::Case c = read_case({text, "measured.toml", {}});
-    EXPECT_EQ(c.contact.static_friction, 0.6123);
-    EXPECT_EQ(c.contact.kinetic_friction, 0.45);
+    EXPECT_EQ(c.contact().static_friction, 0.6123);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.45);
 }
 
 TEST(CaseWithFriction, TakesTheKineticCoefficientWhereNoStaticOneIsSeen) {

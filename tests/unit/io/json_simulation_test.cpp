@@ -46,8 +46,7 @@ TEST(CaseJson, HoldsWhatBelongsToTheCase) {
 
 TEST(SimulationJson, ListsSeveralContacts) {
     parameters::Case c;
-    c.joint_name = "upper";
-    parameters::add_joint(c, "lower", parameters::Case());
+    c.joints = {{.name = "upper"}, {.name = "lower"}};
     integration::Motion motion;
     record::Tally tally;
     tally.contacts.resize(2);
@@ -70,8 +69,7 @@ TEST(SimulationJson, ListsSeveralContacts) {
 
 TEST(SimulationJson, HoldsTheOtherFormulationBesideAndWhetherItAgrees) {
     parameters::Case c;
-    c.joint_name = "upper";
-    parameters::add_joint(c, "lower", parameters::Case());
+    c.joints = {{.name = "upper"}, {.name = "lower"}};
     record::Tally tally;
     tally.contacts.resize(2);
     for (record::ContactTally& contact : tally.contacts)
@@ -231,7 +229,7 @@ TEST(StabilityJson, HoldsWhatModesAreMadeOfWhereItIsAskedFor) {
     EXPECT_EQ(document["units"]["directions.contributions.growth"], "1/s");
     // sliding that locks has no modes to tell of
     parameters::Case locked = c;
-    locked.contact.static_friction = locked.contact.kinetic_friction = 4.5;
+    locked.contact().static_friction = locked.contact().kinetic_friction = 4.5;
     const Json none = Json::parse(stability_json(analysis::with_modes(analysis::scan_stability(locked, std::nullopt))));
     EXPECT_EQ(none["directions"][0]["kind"], "locked");
     EXPECT_TRUE(none["directions"][0]["contributions"].empty());

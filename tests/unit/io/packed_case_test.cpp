@@ -158,7 +158,7 @@ TEST(PackedCase, OfBrokenBytesIsRefused) {
 
 TEST(PackedCase, OfManyContactsAndLoadsTakesChanges) {
     const Case c = changed(full_case(), std::vector<CaseChange>{{"mu_d", 0.125}});
-    EXPECT_EQ(c.contact.kinetic_friction, 0.125);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.125);
     EXPECT_EQ(c.own_structure->load.size(), many);
 }
 

@@ -37,16 +37,16 @@ TEST(TomlCase, TakesNumbersInSiAndTextWithUnits) {
     text = replaced(text, "incidence_angle = 70", "incidence_angle = 45.5");
     text = replaced(text, "velocity = -0.1", "velocity = \"-40 mm/s\"");
     const Case c = read(text);
-    EXPECT_EQ(c.contact.preload, 20.0);
-    EXPECT_EQ(c.joint.incidence_angle, 45.5);
+    EXPECT_EQ(c.contact().preload, 20.0);
+    EXPECT_EQ(c.joint().incidence_angle, 45.5);
     EXPECT_EQ(c.drive.velocity, -0.04);
     EXPECT_EQ(c.drive.kind, parameters::DriveKind::constant);
 }
 
 TEST(TomlCase, TakesTheUsualLawsWhereNoneIsNamed) {
     const Case c = read(minimal);
-    EXPECT_EQ(c.contact.friction, parameters::FrictionKind::coulomb);
-    EXPECT_EQ(c.contact.impact, parameters::ImpactKind::plastic);
+    EXPECT_EQ(c.contact().friction, parameters::FrictionKind::coulomb);
+    EXPECT_EQ(c.contact().impact, parameters::ImpactKind::plastic);
 }
 
 // the other way has coefficients of its own, which belong to that law alone
@@ -54,8 +54,8 @@ TEST(TomlCase, ReadsFrictionThatDiffersEachWay) {
     const std::string each_way = "static_friction = 0.8\nstatic_friction_coming = 0.5\nkinetic_friction_coming = 0.1\n";
     const std::string text = replaced(minimal, "static_friction = 0.8\n", each_way + "friction = \"directional\"\n");
     const Case c = read(text);
-    EXPECT_EQ(c.contact.friction, parameters::FrictionKind::directional);
-    EXPECT_EQ(c.contact.kinetic_friction_coming, 0.1);
+    EXPECT_EQ(c.contact().friction, parameters::FrictionKind::directional);
+    EXPECT_EQ(c.contact().kinetic_friction_coming, 0.1);
     EXPECT_TRUE(refusal(replaced(minimal, "static_friction = 0.8\n", each_way)).has_value());
     EXPECT_TRUE(refusal(replaced(text, "static_friction_coming = 0.5\n", "")).has_value());
 }
@@ -65,7 +65,7 @@ TEST(TomlCase, DefaultsRunAndVerdict) {
     const Case defaults;
     EXPECT_EQ(c.run.step, defaults.run.step);
     EXPECT_EQ(c.verdict.creak_stick, defaults.verdict.creak_stick);
-    EXPECT_EQ(c.contact.impact, parameters::ImpactKind::plastic);
+    EXPECT_EQ(c.contact().impact, parameters::ImpactKind::plastic);
 }
 
 TEST(TomlCase, ListsAllMissingKeysAtOnce) {
@@ -216,8 +216,8 @@ TEST(TomlCase, KeysThatAChangedKindLeavesBehindAreWarnings) {
 }
 
 TEST(TomlCase, TakesOverridesInAnySpelling) {
-    EXPECT_EQ(read(minimal, {"mu_d=0.3"}).contact.kinetic_friction, 0.3);
-    EXPECT_EQ(read(minimal, {"preload=30", "contact.preload=40", "F=50"}).contact.preload, 50.0);
+    EXPECT_EQ(read(minimal, {"mu_d=0.3"}).contact().kinetic_friction, 0.3);
+    EXPECT_EQ(read(minimal, {"preload=30", "contact.preload=40", "F=50"}).contact().preload, 50.0);
     expect_error(refusal(minimal, {"mass=1"}), "Write joint.mass or plate.mass.", "--set");
     expect_error(refusal(minimal, {"mu_d=much"}), "contact.kinetic_friction = \"much\" is not a number", "--set");
 }

@@ -42,10 +42,10 @@ TEST(TomlJoints, AreReadInTheirOrder) {
     ASSERT_EQ(parameters::joint_count(c), 2U);
     EXPECT_EQ(parameters::joint_name(c, 0), "upper");
     EXPECT_EQ(parameters::joint_name(c, 1), "lower");
-    EXPECT_EQ(c.joint.mass, 0.1);
-    EXPECT_EQ(c.further_joints[0].joint.mass, 0.2);
-    EXPECT_EQ(c.further_joints[0].contact.preload, 20.0);
-    EXPECT_EQ(c.further_joints[0].axial_ratio, 0.15);
+    EXPECT_EQ(c.joint().mass, 0.1);
+    EXPECT_EQ(c.joints[1].joint.mass, 0.2);
+    EXPECT_EQ(c.joints[1].contact.preload, 20.0);
+    EXPECT_EQ(c.joints[1].axial_ratio, 0.15);
     EXPECT_EQ(c.drive.velocity, -0.1);
 }
 
@@ -60,12 +60,12 @@ TEST(TomlJoints, AreWrittenAsTheyAreRead) {
 
 TEST(TomlJoints, AreOverriddenByNameOrAllAtOnce) {
     const Case one = read_joints(two_joints(), {"joint.lower.contact.preload=33 N", "joint.upper.mass=0.5"});
-    EXPECT_EQ(one.contact.preload, 20.0);
-    EXPECT_EQ(one.further_joints[0].contact.preload, 33.0);
-    EXPECT_EQ(one.joint.mass, 0.5);
+    EXPECT_EQ(one.contact().preload, 20.0);
+    EXPECT_EQ(one.joints[1].contact.preload, 33.0);
+    EXPECT_EQ(one.joint().mass, 0.5);
     const Case all = read_joints(two_joints(), {"mu_d=0.5"});
-    EXPECT_EQ(all.contact.kinetic_friction, 0.5);
-    EXPECT_EQ(all.further_joints[0].contact.kinetic_friction, 0.5);
+    EXPECT_EQ(all.contact().kinetic_friction, 0.5);
+    EXPECT_EQ(all.joints[1].contact.kinetic_friction, 0.5);
 }
 
 TEST(TomlJoints, SayWhatIsWrongOnceAndWhere) {
@@ -112,13 +112,13 @@ constexpr const char* two_lists =
 
 TEST(TomlJoints, FollowTheTemperatureEachByItsOwnLists) {
     const Case c = read_joints(joints_with_table(two_lists));
-    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.3);
-    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.6);
+    EXPECT_DOUBLE_EQ(c.contact().kinetic_friction, 0.3);
+    EXPECT_DOUBLE_EQ(c.joints[1].contact.kinetic_friction, 0.6);
     const Case hot = read_joints(joints_with_table(two_lists), {"temperature=50"});
-    EXPECT_EQ(hot.contact.kinetic_friction, 0.6);
-    EXPECT_EQ(hot.further_joints[0].contact.kinetic_friction, 0.1);
+    EXPECT_EQ(hot.contact().kinetic_friction, 0.6);
+    EXPECT_EQ(hot.joints[1].contact.kinetic_friction, 0.1);
     const Case other = read_joints(joints_with_table(two_lists), {"temperature.joint.lower.mu_d=0.1,0.1,0.2"});
-    EXPECT_EQ(other.further_joints[0].contact.kinetic_friction, 0.1);
+    EXPECT_EQ(other.joints[1].contact.kinetic_friction, 0.1);
     for (const Comments comments : {Comments::full, Comments::none}) {
         const Case again = read_joints(case_toml(c, {comments, ""}));
         EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
@@ -127,8 +127,8 @@ TEST(TomlJoints, FollowTheTemperatureEachByItsOwnLists) {
 
 TEST(TomlJoints, ShareAListThatNamesNone) {
     const Case c = read_joints(joints_with_table("mu_d = [0.2, 0.4, 0.6]\n"), {"temperature=-30"});
-    EXPECT_EQ(c.contact.kinetic_friction, 0.2);
-    EXPECT_EQ(c.further_joints[0].contact.kinetic_friction, 0.2);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.2);
+    EXPECT_EQ(c.joints[1].contact.kinetic_friction, 0.2);
 }
 
 TEST(TomlJoints, MayFollowTheTemperatureOneAlone) {
@@ -136,9 +136,9 @@ TEST(TomlJoints, MayFollowTheTemperatureOneAlone) {
     text =
         replaced(text, "static_friction = 0.8\n[[joint]]", "static_friction = 0.8\nkinetic_friction = 0.6\n[[joint]]");
     const Case c = read_joints(text);
-    EXPECT_EQ(c.contact.kinetic_friction, 0.6);
-    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.6);
-    EXPECT_DOUBLE_EQ(read_joints(text, {"temperature=30"}).further_joints[0].contact.kinetic_friction, 0.3);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.6);
+    EXPECT_DOUBLE_EQ(c.joints[1].contact.kinetic_friction, 0.6);
+    EXPECT_DOUBLE_EQ(read_joints(text, {"temperature=30"}).joints[1].contact.kinetic_friction, 0.3);
     EXPECT_EQ(parameters::canonical_text(read_joints(case_toml(c, {Comments::full, ""}))),
               parameters::canonical_text(c));
 }

@@ -46,16 +46,16 @@ void expect_says(const std::string& message, const std::string& words) {
 
 TEST(TomlTemperature, SetsWhatFollowsIt) {
     const Case c = read_temperature(lip_toml());
-    EXPECT_EQ(c.joint.axial_stiffness, 42.5e3);
-    EXPECT_EQ(c.contact.kinetic_friction, 0.375);
-    EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(42.5e3 * 0.1));
+    EXPECT_EQ(c.joint().axial_stiffness, 42.5e3);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.375);
+    EXPECT_EQ(c.joint().axial_damping, 2.0 * 0.15 * std::sqrt(42.5e3 * 0.1));
 }
 
 TEST(TomlTemperature, IsOverridden) {
     for (const char* name : {"temperature", "theta", "temperature.value"})
-        EXPECT_EQ(read_temperature(lip_toml(), {std::string(name) + "=23 degC"}).joint.axial_stiffness, 25e3);
+        EXPECT_EQ(read_temperature(lip_toml(), {std::string(name) + "=23 degC"}).joint().axial_stiffness, 25e3);
     const Case c = read_temperature(lip_toml(), {"temperature.k1i=3 N/mm, 2 N/mm, 1 N/mm", "temperature=80"});
-    EXPECT_EQ(c.joint.axial_stiffness, 1e3);
+    EXPECT_EQ(c.joint().axial_stiffness, 1e3);
     expect_says(temperature_refusal(lip_toml(), {"temperature=81"}),
                 "must be between -30 and 80 degC, where the table ends");
     expect_says(temperature_refusal(lip_toml(), {"k1i=5 N/mm"}), "joint.axial_stiffness cannot be set");
@@ -74,7 +74,7 @@ TEST(TomlTemperature, WritesTablesThatReadBackTheSame) {
             const std::string written = case_toml(c, {.comments = comments, .heading = ""});
             const Case back = read_temperature(written);
             EXPECT_EQ(canonical_text(back), canonical_text(c)) << written;
-            EXPECT_EQ(back.joint.axial_stiffness, c.joint.axial_stiffness);
+            EXPECT_EQ(back.joint().axial_stiffness, c.joint().axial_stiffness);
             EXPECT_EQ(back.plate.damping, c.plate.damping);
             EXPECT_EQ(written.find("\naxial_stiffness"), std::string::npos) << written;
         }
@@ -130,7 +130,7 @@ TEST(TomlTemperature, SaysWhatItsPropertiesContradict) {
 TEST(TomlTemperature, IsAnAxis) {
     const sweep::Study study = read_study(TomlSource{lip_toml(), "c.toml", {}}, {"temperature=-30:80:3", ""});
     EXPECT_EQ(study.x.parameter, "temperature.value");
-    EXPECT_EQ(sweep::case_at(study, {0, 0, 2}).joint.axial_stiffness, 12e3);
+    EXPECT_EQ(sweep::case_at(study, {0, 0, 2}).joint().axial_stiffness, 12e3);
     const sweep::Study back = read_study(TomlSource{study_toml(study), "back.toml", {}});
     EXPECT_EQ(sweep::canonical_text(back), sweep::canonical_text(study));
     // the temperature of the base is none of the chart's

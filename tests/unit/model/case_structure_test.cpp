@@ -48,7 +48,7 @@ TEST(CaseStructure, IsPressedByItsSharesOfThePreload) {
     own.contacts[1].preload_share = 1.0;
     own.contacts[1].kinetic_friction = 0.1;
     parameters::Case c = case_of(own);
-    c.contact.preload = 8.0;
+    c.contact().preload = 8.0;
     const Structure structure = structure_of(c);
     EXPECT_EQ(structure.load, Eigen::Vector2d(-6.0, -2.0));
     EXPECT_EQ(slip_ratio(structure.contacts[0].friction, Slip::forward), -0.6);

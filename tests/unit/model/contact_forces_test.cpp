@@ -76,7 +76,7 @@ TEST(Slip, OpposesTheSlipVelocity) {
 // the contact's normal force in slip is that of the closed form N = F - m2 y'' - c2y y' - k2y y
 RC_GTEST_PROP(Slip, SatisfiesTheEquationsOfMotion, ()) {
     parameters::Case c;
-    c.joint.incidence_angle = *support::number_between(0.0, 180.0);
+    c.joint().incidence_angle = *support::number_between(0.0, 180.0);
     const auto structure = rubbing_system(c);
     const double y = *support::number_between(-1e-6, 1e-6);
     const double y_rate = *support::number_between(-1e-2, 1e-2);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(Slip, SatisfiesTheEquationsOfMotion, ()) {
     RC_ASSERT(std::abs(now.friction_force + std::copysign(0.6, w) * now.normal_force) < 1e-12);
     RC_ASSERT(std::abs(now.acceleration(1) - now.acceleration(2)) < 1e-11);
     const double plate_force =
-        c.contact.preload - c.plate.mass * now.acceleration(2) - c.plate.damping * y_rate - c.plate.stiffness * y;
+        c.contact().preload - c.plate.mass * now.acceleration(2) - c.plate.damping * y_rate - c.plate.stiffness * y;
     RC_ASSERT(std::abs(now.normal_force - plate_force) < 1e-11);
     const Eigen::Vector3d rest = structure.mass * now.acceleration + structure.damping * v + structure.stiffness * u -
                                  structure.load - structure.contacts[0].normal * now.normal_force -
@@ -156,8 +156,8 @@ TEST(Painleve, IsANumericalErrorThatNamesTheFriction) {
 // the masses are points: no friction is too much
 TEST(Painleve, NeverMeetsThePapersSystem) {
     parameters::Case c;
-    c.contact.kinetic_friction = 1e6;
-    c.contact.static_friction = 1e6;
+    c.contact().kinetic_friction = 1e6;
+    c.contact().static_friction = 1e6;
     EXPECT_NO_THROW(instant(rubbing_system(c), Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 0.0, 0.0), {}));
 }
 

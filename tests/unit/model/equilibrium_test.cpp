@@ -17,7 +17,7 @@ double closed_form(const Case& c, double signed_friction) {
     const auto K = rubbing_system(c).stiffness;
     const double across = K(1, 1) + c.plate.stiffness;
     const double along = K(0, 0) - K(0, 1) * K(0, 1) / across;
-    return c.contact.preload / (1.0 - signed_friction * c.plate.stiffness * K(0, 1) / (across * along));
+    return c.contact().preload / (1.0 - signed_friction * c.plate.stiffness * K(0, 1) / (across * along));
 }
 
 TEST(Equilibrium, AtRestIsThePreloadWithoutDisplacement) {
@@ -33,12 +33,12 @@ TEST(Equilibrium, SlidingDigsInWhileGoingAndEasesWhileComing) {
 
 RC_GTEST_PROP(Equilibrium, SlidingFollowsTheClosedForm, ()) {
     Case c;
-    c.joint.incidence_angle = *support::number_between(0.0, 180.0);
+    c.joint().incidence_angle = *support::number_between(0.0, 180.0);
     c.plate.stiffness = *support::number_between(1e5, 1e7);
-    c.contact.preload = *support::number_between(1.0, 1000.0);
+    c.contact().preload = *support::number_between(1.0, 1000.0);
     const double signed_friction = *support::number_between(-1.0, 1.0);
     const double exact = closed_form(c, signed_friction);
-    RC_PRE(exact > 0.0 && exact < 100.0 * c.contact.preload);
+    RC_PRE(exact > 0.0 && exact < 100.0 * c.contact().preload);
     const auto structure = rubbing_system(c);
     const auto balance = equilibrium(structure, {signed_friction});
     // conditioning: stiffness ratio 100 times the distance 100 from divergence, at rounding 1e-16

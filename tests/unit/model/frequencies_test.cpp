@@ -54,7 +54,7 @@ TEST(NaturalFrequencies, OfTheBeltOscillator) {
 // each constraint can only raise them (Rayleigh): f_k open <= f_k closed <= f_k+1 open
 RC_GTEST_PROP(NaturalFrequencies, OfAConstrainedSystemInterlace, ()) {
     parameters::Case c;
-    c.joint.incidence_angle = *support::number_between(0.0, 180.0);
+    c.joint().incidence_angle = *support::number_between(0.0, 180.0);
     c.plate.mass = *support::number_between(0.01, 2.0);
     c.plate.stiffness = *support::number_between(1e5, 1e7);
     const auto structure = rubbing_system(c);

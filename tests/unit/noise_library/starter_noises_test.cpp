@@ -50,10 +50,10 @@ TEST(StarterNoises, StandTogetherBySystem) {
 TEST(StarterNoises, HaveASystemUnderSeveralPreloadsAndNothingElseChanged) {
     std::map<double, parameters::Case> seals;
     for (const StarterNoise& noise : starter_noises())
-        if (noise.system == "seal") seals[noise.c.contact.preload] = noise.c;
+        if (noise.system == "seal") seals[noise.c.contact().preload] = noise.c;
     EXPECT_GE(seals.size(), 5U);
     for (const auto& [preload, c] : seals) {
-        EXPECT_EQ(c.contact.kinetic_friction, seals.begin()->second.contact.kinetic_friction);
+        EXPECT_EQ(c.contact().kinetic_friction, seals.begin()->second.contact().kinetic_friction);
         EXPECT_EQ(c.drive.velocity, seals.begin()->second.drive.velocity);
     }
 }

@@ -54,14 +54,14 @@ TEST(CaseKey, OfOneJointSetsThatJointAlone) {
     Case c = two_lips();
     set_quantity(c, "joint.lower.contact.preload", 55.0);
     set_quantity(c, "joint.upper.mass", 0.3);
-    EXPECT_EQ(c.further_joints[0].contact.preload, 55.0);
-    EXPECT_EQ(c.contact.preload, 200.0);
-    EXPECT_EQ(c.joint.mass, 0.3);
-    EXPECT_EQ(c.further_joints[0].joint.mass, 0.1);
+    EXPECT_EQ(c.joints[1].contact.preload, 55.0);
+    EXPECT_EQ(c.contact().preload, 200.0);
+    EXPECT_EQ(c.joint().mass, 0.3);
+    EXPECT_EQ(c.joints[1].joint.mass, 0.1);
     EXPECT_EQ(get_quantity(c, "joint.lower.contact.preload"), 55.0);
     EXPECT_EQ(get_quantity(c, "joint.upper.contact.preload"), 200.0);
     EXPECT_EQ(value_text(c, "joint.lower.contact.preload"), "55 N");
-    EXPECT_EQ(c.joint_name, "upper");
+    EXPECT_EQ(c.joints[0].name, "upper");
 }
 
 TEST(CaseKey, WithoutAJointsNameIsThatOfAll) {
@@ -70,8 +70,8 @@ TEST(CaseKey, WithoutAJointsNameIsThatOfAll) {
     EXPECT_FALSE(has_one_value(c, "joint.incidence_angle"));
     EXPECT_EQ(value_text(c, "joint.incidence_angle"), "70 deg, 60 deg");
     set_quantity(c, "joint.incidence_angle", 80.0);
-    EXPECT_EQ(c.joint.incidence_angle, 80.0);
-    EXPECT_EQ(c.further_joints[0].joint.incidence_angle, 80.0);
+    EXPECT_EQ(c.joint().incidence_angle, 80.0);
+    EXPECT_EQ(c.joints[1].joint.incidence_angle, 80.0);
     EXPECT_TRUE(has_one_value(c, "joint.incidence_angle"));
     EXPECT_EQ(single_keys(c, "contact.preload"),
               (std::vector<std::string>{"joint.upper.contact.preload", "joint.lower.contact.preload"}));
@@ -83,14 +83,14 @@ TEST(CaseKey, WithoutAJointsNameIsThatOfAll) {
 
 TEST(CaseKey, KeepsADampingThatIsAShareOfItsOwnJoints) {
     Case c = two_lips();
-    Case of_lower = alone(c, 1);
+    Case of_lower;
+    of_lower.joints = {c.joints[1]};
     set_from_text(of_lower, *find_field("joint.axial_damping"), "15 %");
-    c.further_joints.clear();
-    add_joint(c, "lower", of_lower);
+    set_from_text({c, 1}, *find_field("joint.axial_damping"), "15 %");
     set_quantity(c, "joint.lower.mass", 0.4);
     set_quantity(of_lower, "joint.mass", 0.4);
-    EXPECT_EQ(c.further_joints[0].joint.axial_damping, of_lower.joint.axial_damping);
-    EXPECT_EQ(c.joint.axial_damping, 1.0);
+    EXPECT_EQ(c.joints[1].joint.axial_damping, of_lower.joint().axial_damping);
+    EXPECT_EQ(c.joint().axial_damping, 1.0);
 }
 
 TEST(CaseKey, RefusesAValueInItsOwnName) {

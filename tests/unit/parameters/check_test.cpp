@@ -41,19 +41,19 @@ TEST(Findings, AreNoneForWhatCanBeSimulated) {
 
 TEST(Findings, KineticFrictionMayNotExceedStatic) {
     Case c;
-    c.contact.kinetic_friction = 0.9;
+    c.contact().kinetic_friction = 0.9;
     expect_finding(c, "contact.kinetic_friction", "mu_d = 0.9 exceeds mu_s = 0.8");
-    c.contact.kinetic_friction = 0.8;
+    c.contact().kinetic_friction = 0.8;
     EXPECT_TRUE(findings(c).empty());
 }
 
 TEST(Findings, KineticFrictionMayNotExceedStaticTheOtherWayEither) {
     Case c;
-    c.contact.static_friction_coming = 0.3;
+    c.contact().static_friction_coming = 0.3;
     EXPECT_TRUE(findings(c).empty());  // Coulomb's law has one way for both
-    c.contact.friction = FrictionKind::directional;
+    c.contact().friction = FrictionKind::directional;
     expect_finding(c, "contact.kinetic_friction_coming", "mu_dc = 0.6 exceeds mu_sc = 0.3");
-    c.contact.kinetic_friction_coming = 0.3;
+    c.contact().kinetic_friction_coming = 0.3;
     EXPECT_TRUE(findings(c).empty());
 }
 
@@ -152,7 +152,7 @@ TEST(Findings, CutsLeaveSomethingToJudge) {
 
 TEST(Findings, AreAllNamedAtOnce) {
     Case c = constant_case();
-    c.contact.kinetic_friction = 0.9;
+    c.contact().kinetic_friction = 0.9;
     c.drive.velocity = 0.0;
     c.run.window = 2.0;
     EXPECT_EQ(findings(c).size(), 3U);

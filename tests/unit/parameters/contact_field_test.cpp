@@ -32,11 +32,11 @@ TEST(ContactFields, TakeThePlaceOfTheCasesNumbers) {
     own->contacts[1].preload_share = 2.0;
     Case c;
     c.own_structure = own;
-    EXPECT_EQ(contact_of(c, 0).static_friction, c.contact.static_friction);
+    EXPECT_EQ(contact_of(c, 0).static_friction, c.contact().static_friction);
     EXPECT_EQ(contact_of(c, 0).preload, 0.0);
     EXPECT_EQ(contact_of(c, 1).static_friction, 0.9);
     EXPECT_EQ(contact_of(c, 1).kinetic_friction, 0.0);
-    EXPECT_EQ(contact_of(c, 1).preload, c.contact.preload);
+    EXPECT_EQ(contact_of(c, 1).preload, c.contact().preload);
 }
 
 // it names what is kept in stores and libraries

@@ -22,8 +22,8 @@ TEST(DampingRatio, IsAShareOfCriticalOfItsOwnSpringAndMass) {
     set(c, "joint.axial_damping", "15 %");
     set(c, "joint.flexural_damping", "damping ratio 0.02");
     set(c, "plate.damping", "loss factor 0.3");
-    EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(1e7 * 0.1));
-    EXPECT_EQ(c.joint.flexural_damping, 2.0 * 0.02 * std::sqrt(1e6 * 0.1));
+    EXPECT_EQ(c.joint().axial_damping, 2.0 * 0.15 * std::sqrt(1e7 * 0.1));
+    EXPECT_EQ(c.joint().flexural_damping, 2.0 * 0.02 * std::sqrt(1e6 * 0.1));
     // eta = 2 zeta: c = eta sqrt(k m); halving and doubling are exact
     EXPECT_EQ(c.plate.damping, 0.3 * std::sqrt(1e6 * 0.4));
 }
@@ -37,9 +37,9 @@ TEST(DampingRatio, IsKeptWhenStiffnessOrMassChangeInAnyOrder) {
     set(last, "joint.axial_stiffness", "3 kN/mm");
     set(last, "joint.mass", "200 g");
     set(last, "joint.axial_damping", "15 %");
-    EXPECT_EQ(first.joint.axial_damping, 2.0 * 0.15 * std::sqrt(3e6 * 0.2));
-    EXPECT_EQ(first.joint.axial_damping, last.joint.axial_damping);
-    EXPECT_EQ(first.joint.flexural_damping, Case{}.joint.flexural_damping);
+    EXPECT_EQ(first.joint().axial_damping, 2.0 * 0.15 * std::sqrt(3e6 * 0.2));
+    EXPECT_EQ(first.joint().axial_damping, last.joint().axial_damping);
+    EXPECT_EQ(first.joint().flexural_damping, Case{}.joint().flexural_damping);
     EXPECT_EQ(canonical_text(first), canonical_text(last));
 }
 

@@ -40,7 +40,7 @@ TEST(Engines, RefuseByNameWithAReasonAndAWayOut) {
 TEST(Engines, FollowFromEngineAndFormulation) {
     Case c;
     EXPECT_EQ(methods_of(c), std::vector{Method::exact});
-    c.further_joints.emplace_back();
+    c.joints.emplace_back();
     EXPECT_EQ(methods_of(c), std::vector{Method::taylor});
     c.run.engine = Engine::moreau;
     EXPECT_EQ(methods_of(c), std::vector{Method::moreau});

@@ -149,7 +149,7 @@ RC_GTEST_PROP(FieldTable, QuantitiesRoundTripThroughText, ()) {
 TEST(Field, ConvertsUnits) {
     Case c;
     set_from_text(c, field("joint.axial_stiffness"), "8 kN/mm");
-    EXPECT_EQ(c.joint.axial_stiffness, 8e6);
+    EXPECT_EQ(c.joint().axial_stiffness, 8e6);
     set_from_text(c, field("drive.amplitude"), "4 mm");
     EXPECT_EQ(c.drive.amplitude, 0.004);
     set_from_text(c, field("run.step"), "0.1 us");
@@ -269,7 +269,7 @@ TEST(CanonicalText, NamesWhatChangesAResultAndNothingElse) {
     other.title = "another title";
     other.drive.velocity = 99.0;  // means nothing for a sinusoidal drive
     EXPECT_EQ(canonical_text(other), canonical_text(c));
-    other.contact.preload = 21.0;
+    other.contact().preload = 21.0;
     EXPECT_NE(canonical_text(other), canonical_text(c));
     EXPECT_NE(canonical_text(c).find("contact.preload = 20 N\n"), std::string::npos);
     EXPECT_EQ(canonical_text(c).find("drive.velocity"), std::string::npos);
@@ -292,7 +292,7 @@ TEST(CanonicalText, NamesASampledDriveByItsSamples) {
 TEST(CanonicalText, OfACaseWithCoulombsLawDoesNotNameIt) {
     Case c;
     EXPECT_EQ(canonical_text(c).find("contact.friction"), std::string::npos);
-    c.contact.friction = FrictionKind::directional;
+    c.contact().friction = FrictionKind::directional;
     EXPECT_NE(canonical_text(c).find("contact.friction = directional\n"), std::string::npos);
     EXPECT_NE(canonical_text(c).find("contact.kinetic_friction_coming = 0.6\n"), std::string::npos);
 }

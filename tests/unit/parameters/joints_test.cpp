@@ -18,33 +18,32 @@ namespace {
 
 Case two_joints() {
     Case c;
-    c.joint_name = "upper";
-    Case other;
-    other.joint.mass = 0.3;
-    other.contact.preload = 55.0;
-    set_from_text(other, *find_field("joint.axial_damping"), "15 %");
-    add_joint(c, "lower", other);
+    c.joints = {{.name = "upper"}, {.name = "lower"}};
+    c.joints[1].joint.mass = 0.3;
+    c.joints[1].contact.preload = 55.0;
+    set_from_text({c, 1}, *find_field("joint.axial_damping"), "15 %");
     return c;
 }
 
 TEST(Joints, OfAPlainCaseIsOne) {
     EXPECT_EQ(joint_count(Case()), 1U);
     EXPECT_EQ(joint_name(Case(), 0), "joint");
-    EXPECT_EQ(canonical_text(alone(Case(), 0)), canonical_text(Case()));
+    Case named;
+    named.joints[0].name = "lip";
+    EXPECT_EQ(canonical_text(named), canonical_text(Case()));
 }
 
-TEST(Joints, AreSeenEachAlone) {
+TEST(Joints, AreAskedEachForItself) {
     const Case c = two_joints();
     ASSERT_EQ(joint_count(c), 2U);
     EXPECT_EQ(joint_name(c, 0), "upper");
     EXPECT_EQ(joint_name(c, 1), "lower");
-    const Case lower = alone(c, 1);
-    EXPECT_EQ(joint_count(lower), 1U);
-    EXPECT_EQ(lower.joint.mass, 0.3);
-    EXPECT_EQ(lower.contact.preload, 55.0);
-    EXPECT_EQ(lower.damping_ratios.axial, 0.15);
-    EXPECT_EQ(alone(c, 0).joint.mass, Case().joint.mass);
-    EXPECT_FALSE(alone(c, 0).damping_ratios.axial);
+    EXPECT_EQ(get_quantity({c, 1}, *find_field("joint.mass")), 0.3);
+    EXPECT_EQ(get_quantity({c, 1}, *find_field("contact.preload")), 55.0);
+    EXPECT_EQ(damping_ratio({c, 1}, *find_field("joint.axial_damping")), 0.15);
+    EXPECT_EQ(value_text({c, 1}, *find_field("joint.axial_damping")), "damping ratio 0.15");
+    EXPECT_EQ(get_quantity(c, *find_field("joint.mass")), Joint().mass);
+    EXPECT_FALSE(damping_ratio(c, *find_field("joint.axial_damping")));
 }
 
 TEST(Joints, StandInTheCanonicalTextByTheirNames) {
@@ -77,11 +76,11 @@ TEST(Joints, HaveNamesThatAreNoKeys) {
 TEST(Joints, AreCheckedEachAndAsSeveral) {
     Case c = two_joints();
     EXPECT_TRUE(findings(c).empty());
-    c.further_joints[0].contact.kinetic_friction = 0.9;
+    c.joints[1].contact.kinetic_friction = 0.9;
     ASSERT_EQ(findings(c).size(), 1U);
     EXPECT_EQ(findings(c).front().key, "contact.kinetic_friction");
     c = two_joints();
-    c.further_joints[0].contact.impact = ImpactKind::restitution;
+    c.joints[1].contact.impact = ImpactKind::restitution;
     ASSERT_EQ(findings(c).size(), 1U);
     EXPECT_EQ(findings(c).front().key, "contact.impact");
     c = two_joints();
@@ -97,32 +96,33 @@ Case joints_over_temperature() {
         return TemperatureColumn{std::move(key), std::move(values), holds};
     };
     const TemperatureColumn plate = column("plate.damping", {0.1, 0.2}, TemperatureColumn::Holds::damping_ratio);
-    Case upper, lower;
-    set_from_text(upper, *find_field("joint.flexural_damping"), "10 %");
-    set_temperature_table(
-        upper, at,
-        {column("joint.flexural_stiffness", {4e4, 1e4}), column("contact.kinetic_friction", {0.3, 0.5}), plate});
-    set_temperature_table(lower, at, {column("contact.kinetic_friction", {0.7, 0.1}), plate});
-    upper.joint_name = "upper";
-    add_joint(upper, "lower", lower);
-    set_quantity(upper, "temperature.value", -20.0);
-    return upper;
+    Case c;
+    c.joints = {{.name = "upper"}, {.name = "lower"}};
+    set_from_text(c, *find_field("joint.flexural_damping"), "10 %");
+    set_temperature_table(c, at,
+                          {column("joint.lower.contact.kinetic_friction", {0.7, 0.1}), plate,
+                           column("joint.upper.contact.kinetic_friction", {0.3, 0.5}),
+                           column("joint.upper.flexural_stiffness", {4e4, 1e4})});
+    set_quantity(c, "temperature.value", -20.0);
+    return c;
 }
 
 TEST(Joints, FollowTheTemperatureEachByItsOwnTable) {
     const Case c = joints_over_temperature();
-    EXPECT_EQ(c.joint.flexural_stiffness, 32.5e3);
-    EXPECT_EQ(c.joint.flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * c.joint.mass));
-    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.35);
-    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.55);
-    EXPECT_EQ(c.further_joints[0].joint.flexural_stiffness, Joint().flexural_stiffness);
-    EXPECT_DOUBLE_EQ(*c.damping_ratios.plate, 0.125);
+    EXPECT_EQ(c.joint().flexural_stiffness, 32.5e3);
+    EXPECT_EQ(c.joint().flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * c.joint().mass));
+    EXPECT_DOUBLE_EQ(c.contact().kinetic_friction, 0.35);
+    EXPECT_DOUBLE_EQ(c.joints[1].contact.kinetic_friction, 0.55);
+    EXPECT_EQ(c.joints[1].joint.flexural_stiffness, Joint().flexural_stiffness);
+    EXPECT_DOUBLE_EQ(*c.plate_damping_ratio, 0.125);
     EXPECT_TRUE(findings(c).empty());
     EXPECT_EQ(range_of(c, "temperature.value").high, 10.0);
-    const Case lower = alone(c, 1);
-    ASSERT_EQ(lower.temperature.columns.size(), 2U);
-    EXPECT_EQ(lower.temperature.columns[0].key, "contact.kinetic_friction");
-    EXPECT_EQ(lower.temperature.columns[0].values, (std::vector{0.7, 0.1}));
+    // joint by joint, the plate behind them
+    ASSERT_EQ(c.temperature.columns.size(), 4U);
+    EXPECT_EQ(c.temperature.columns[0].key, "joint.upper.flexural_stiffness");
+    EXPECT_EQ(c.temperature.columns[2].key, "joint.lower.contact.kinetic_friction");
+    EXPECT_EQ(c.temperature.columns[2].values, (std::vector{0.7, 0.1}));
+    EXPECT_EQ(c.temperature.columns[3].key, "plate.damping");
 }
 
 TEST(Joints, ThatFollowTheTemperatureAreSetByItAlone) {
@@ -131,11 +131,11 @@ TEST(Joints, ThatFollowTheTemperatureAreSetByItAlone) {
     EXPECT_THROW(set_quantity(c, "joint.flexural_stiffness", 1.0), Error);
     EXPECT_THROW(set_quantity(c, "joint.lower.contact.kinetic_friction", 0.2), Error);
     set_quantity(c, "joint.lower.flexural_stiffness", 2e3);
-    EXPECT_EQ(c.further_joints[0].joint.flexural_stiffness, 2e3);
+    EXPECT_EQ(c.joints[1].joint.flexural_stiffness, 2e3);
     set_quantity(c, "joint.upper.mass", 0.2);
-    EXPECT_EQ(c.joint.flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * 0.2));
-    EXPECT_EQ(c.joint.flexural_stiffness, 32.5e3);
-    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.35);
+    EXPECT_EQ(c.joint().flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * 0.2));
+    EXPECT_EQ(c.joint().flexural_stiffness, 32.5e3);
+    EXPECT_DOUBLE_EQ(c.contact().kinetic_friction, 0.35);
     EXPECT_NE(temperature_column(c, "joint.upper.flexural_stiffness"), nullptr);
     EXPECT_EQ(temperature_column(c, "joint.lower.flexural_stiffness"), nullptr);
     EXPECT_NE(temperature_column(c, "joint.flexural_stiffness"), nullptr);

@@ -16,16 +16,16 @@ constexpr PaperCase all_paper_cases[] = {PaperCase::squeal, PaperCase::squeak, P
 TEST(PaperCase, SharesTheConstantsOfTable1) {
     for (const PaperCase which : all_paper_cases) {
         const Case c = paper_case(which);
-        EXPECT_EQ(c.joint.mass, 0.1);
+        EXPECT_EQ(c.joint().mass, 0.1);
         EXPECT_EQ(c.plate.mass, 0.4);
-        EXPECT_EQ(c.joint.axial_stiffness, 1e7);
-        EXPECT_EQ(c.joint.flexural_stiffness, 1e6);
+        EXPECT_EQ(c.joint().axial_stiffness, 1e7);
+        EXPECT_EQ(c.joint().flexural_stiffness, 1e6);
         EXPECT_EQ(c.plate.stiffness, 1e6);
-        EXPECT_EQ(c.joint.axial_damping, 1.0);
-        EXPECT_EQ(c.joint.flexural_damping, 1.0);
+        EXPECT_EQ(c.joint().axial_damping, 1.0);
+        EXPECT_EQ(c.joint().flexural_damping, 1.0);
         EXPECT_EQ(c.plate.damping, 1.0);
-        EXPECT_EQ(c.joint.incidence_angle, 70.0);
-        EXPECT_EQ(c.contact.static_friction, 0.8);
+        EXPECT_EQ(c.joint().incidence_angle, 70.0);
+        EXPECT_EQ(c.contact().static_friction, 0.8);
         EXPECT_EQ(c.drive.amplitude, 4e-3);
         EXPECT_EQ(c.drive.frequency, 5.0);
         EXPECT_EQ(c.drive.kind, DriveKind::sinusoidal);
@@ -36,8 +36,8 @@ TEST(PaperCase, SharesTheConstantsOfTable1) {
 
 TEST(PaperCase, DiffersInFrictionAndPreload) {
     const auto expect = [](PaperCase which, double kinetic_friction, double preload) {
-        EXPECT_EQ(paper_case(which).contact.kinetic_friction, kinetic_friction);
-        EXPECT_EQ(paper_case(which).contact.preload, preload);
+        EXPECT_EQ(paper_case(which).contact().kinetic_friction, kinetic_friction);
+        EXPECT_EQ(paper_case(which).contact().preload, preload);
     };
     expect(PaperCase::quiet, 0.2, 20.0);
     expect(PaperCase::squeal, 0.6, 20.0);

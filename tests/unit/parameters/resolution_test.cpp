@@ -59,9 +59,9 @@ TEST(Resolution, RefusesRatesFarBeyondTheDuration) {
     // a million seconds of Table 1 are 1e10 of its fastest time
     c.run.duration = 1e6;
     EXPECT_TRUE(findings(c).empty());
-    c.contact.static_friction = c.contact.kinetic_friction = 1e12;
+    c.contact().static_friction = c.contact().kinetic_friction = 1e12;
     EXPECT_EQ(keys_found(c), std::vector<std::string>{"contact.kinetic_friction"});
-    c.contact = {};
+    c.contact() = {};
     // beta_2 has its own limits: the step
     c.run.engine = Engine::beta_2;
     c.run.duration = 1.0;
@@ -71,13 +71,13 @@ TEST(Resolution, RefusesRatesFarBeyondTheDuration) {
 
 TEST(Resolution, RefusesWhatDrownsInTheRoundingOfItsNeighbour) {
     Case c = paper_case(PaperCase::squeal);
-    c.joint.flexural_stiffness = 1e-6;
+    c.joint().flexural_stiffness = 1e-6;
     EXPECT_EQ(keys_found(c), std::vector<std::string>{"joint.axial_stiffness"});
     c = paper_case(PaperCase::squeal);
     c.plate.mass = 1e12;
     EXPECT_EQ(keys_found(c), std::vector<std::string>{"plate.mass"});
     c = paper_case(PaperCase::squeal);
-    c.contact.static_friction = 2e12;
+    c.contact().static_friction = 2e12;
     EXPECT_EQ(keys_found(c), std::vector<std::string>{"contact.static_friction"});
 }
 

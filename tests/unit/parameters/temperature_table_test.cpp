@@ -44,19 +44,19 @@ TEST(TemperatureTable, GivesItsOwnNumbersAtTheNodes) {
     const std::vector<std::pair<const char*, double>> nodes{{"-30", 60e3}, {"23 degC", 25e3}, {"80 °C", 12e3}};
     for (const auto& [temperature, stiffness] : nodes) {
         set_text(c, "temperature", temperature);
-        EXPECT_EQ(c.joint.axial_stiffness, stiffness) << temperature;
+        EXPECT_EQ(c.joint().axial_stiffness, stiffness) << temperature;
     }
-    EXPECT_EQ(c.contact.kinetic_friction, 0.75);
-    EXPECT_EQ(c.joint.flexural_stiffness, Case{}.joint.flexural_stiffness);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.75);
+    EXPECT_EQ(c.joint().flexural_stiffness, Case{}.joint().flexural_stiffness);
 }
 
 TEST(TemperatureTable, IsLinearBetweenTwoNodes) {
     Case c = lip();
     set_text(c, "theta", "-3.5");  // half way from -30 to 23, exact in binary
-    EXPECT_EQ(c.joint.axial_stiffness, 42.5e3);
-    EXPECT_EQ(c.contact.kinetic_friction, 0.375);
+    EXPECT_EQ(c.joint().axial_stiffness, 42.5e3);
+    EXPECT_EQ(c.contact().kinetic_friction, 0.375);
     set_text(c, "theta", "37.25");  // a quarter of the way from 23 to 80
-    EXPECT_EQ(c.joint.axial_stiffness, 21.75e3);
+    EXPECT_EQ(c.joint().axial_stiffness, 21.75e3);
 }
 
 RC_GTEST_PROP(TemperatureTable, StaysBetweenTheNumbersOfItsNodes, ()) {
@@ -64,8 +64,8 @@ RC_GTEST_PROP(TemperatureTable, StaysBetweenTheNumbersOfItsNodes, ()) {
     const double temperature = 25.0 + 55.0 * *support::signed_fraction();
     set_quantity(c, field_named("temperature"), temperature);
     const bool is_cold = temperature <= 23.0;
-    RC_ASSERT(c.joint.axial_stiffness <= (is_cold ? 60e3 : 25e3));
-    RC_ASSERT(c.joint.axial_stiffness >= (is_cold ? 25e3 : 12e3));
+    RC_ASSERT(c.joint().axial_stiffness <= (is_cold ? 60e3 : 25e3));
+    RC_ASSERT(c.joint().axial_stiffness >= (is_cold ? 25e3 : 12e3));
 }
 
 TEST(TemperatureTable, KnowsNothingOutsideOfItself) {
@@ -95,16 +95,16 @@ TEST(TemperatureTable, AloneSetsWhatFollowsIt) {
                    "joint.axial_stiffness");
     Case c = lip();
     set_text(c, "k1j", "3 N/mm");
-    EXPECT_EQ(c.joint.flexural_stiffness, 3e3);
+    EXPECT_EQ(c.joint().flexural_stiffness, 3e3);
 }
 
 TEST(TemperatureTable, TakesDampingRatiosAlong) {
     Case c = lip();
     set_text(c, "c1i", "15 %");
     set_text(c, "temperature", "23");
-    EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(25e3 * c.joint.mass));
+    EXPECT_EQ(c.joint().axial_damping, 2.0 * 0.15 * std::sqrt(25e3 * c.joint().mass));
     set_text(c, "temperature", "80");
-    EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(12e3 * c.joint.mass));
+    EXPECT_EQ(c.joint().axial_damping, 2.0 * 0.15 * std::sqrt(12e3 * c.joint().mass));
 }
 
 TEST(TemperatureTable, HoldsDampingRatiosItself) {
@@ -149,7 +149,7 @@ TEST(TemperatureTable, MovesATemperatureIntoItself) {
     Case c;  // 23 degC
     set_temperature_table(c, {-40.0, 0.0}, {column("k1i", {"3", "2"})});
     EXPECT_EQ(c.temperature.value, 0.0);
-    EXPECT_EQ(c.joint.axial_stiffness, 2.0);
+    EXPECT_EQ(c.joint().axial_stiffness, 2.0);
 }
 
 // cases that run alike over all temperatures, and no others

@@ -142,8 +142,8 @@ TEST(BoundaryLine, ReachesTheFrame) {
 
 sweep::SweepResult around(double preload, double friction) {
     sweep::SweepResult result = quiet_sweep();
-    result.study.base.contact.preload = preload;
-    result.study.base.contact.kinetic_friction = friction;
+    result.study.base.contact().preload = preload;
+    result.study.base.contact().kinetic_friction = friction;
     return result;
 }
 

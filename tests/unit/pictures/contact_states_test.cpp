@@ -42,7 +42,7 @@ TEST(StatePanel, HasRowsForEachContact) {
 
 TEST(ContactStates, StackCasesOverOneTimeAxis) {
     parameters::Case squeak;
-    squeak.contact.preload = 200.0;
+    squeak.contact().preload = 200.0;
     const std::vector<StatesOfCase> cases{{"squeal", {}, {history}}, {"squeak", squeak, {history}}};
     const drawing::Scene scene = contact_states(cases, {0.4, 0.5});
     ASSERT_EQ(scene.panels.size(), 2U);

@@ -57,9 +57,9 @@ TEST(FrictionLaw, NamesBothCoefficients) {
 
 TEST(FrictionLaw, OfJointsThatDifferIsRefused) {
     parameters::Case c;
-    c.further_joints.resize(1);
+    c.joints.resize(2);
     EXPECT_EQ(law_lines(friction_law_of(c)).size(), 3U);
-    c.further_joints[0].contact.kinetic_friction = 0.3;
+    c.joints[1].contact.kinetic_friction = 0.3;
     EXPECT_TRUE(support::thrown_by([&] { friction_law_of(c); }).says("the joints differ: contact.kinetic_friction"));
 }
 

@@ -38,11 +38,11 @@ const std::string long_name =
 parameters::Case extreme() {
     parameters::Case c;
     c.title = long_name;
-    c.contact.preload = 123456.0;
-    c.contact.static_friction = 0.00011;
-    c.contact.kinetic_friction = 0.0001;
+    c.contact().preload = 123456.0;
+    c.contact().static_friction = 0.00011;
+    c.contact().kinetic_friction = 0.0001;
     c.drive.velocity = 1.23456e-7;
-    c.joint.incidence_angle = -123.456;
+    c.joint().incidence_angle = -123.456;
     return c;
 }
 
@@ -90,8 +90,8 @@ drawing::Scene contacts(std::size_t count) {
 drawing::Scene modes() {
     parameters::Case c = parameters::two_lips();
     c.title = long_name;
-    c.joint_name = "upper_lip_of_the_rear_left_door_seal";
-    c.contact.kinetic_friction = c.further_joints.front().contact.kinetic_friction = 0.7;
+    c.joints[0].name = "upper_lip_of_the_rear_left_door_seal";
+    c.contact().kinetic_friction = c.joints[1].contact.kinetic_friction = 0.7;
     return mode_shapes(analysis::with_modes(analysis::scan_stability(c, std::nullopt)));
 }
 
@@ -205,7 +205,7 @@ std::vector<NamedScene> hard_pictures() {
         {"large motion", motion(1.23456e9)},
         {"40 contacts", contacts(40)},
         {"2 contacts", contacts(2)},
-        {"friction law", friction_law(c.contact)},
+        {"friction law", friction_law(c.contact())},
         {"tight friction law", friction_law(tight)},
         {"mode shapes", modes()},
         {"modal spectrum", spectrum()},

@@ -22,7 +22,7 @@ using model::ContactState;
 parameters::Case line_of(std::size_t contacts) {
     parameters::Case c;
     c.drive.kind = parameters::DriveKind::constant;
-    c.contact.preload = 6.0;
+    c.contact().preload = 6.0;
     c.run.duration = 1.0;
     parameters::OwnStructure structure;
     for (std::size_t k = 0; k < contacts; ++k) {

@@ -30,8 +30,8 @@ TEST(ModeShapes, StandForTheDirectionThatGrows) {
 
 TEST(ModeShapes, HaveABarForEachContactThatFeeds) {
     parameters::Case c = parameters::two_lips();
-    c.contact.kinetic_friction = 0.7;
-    c.further_joints.front().contact.kinetic_friction = 0.7;
+    c.contact().kinetic_friction = 0.7;
+    c.joints[1].contact.kinetic_friction = 0.7;
     const analysis::StabilityScan scan = scan_of(c);
     const drawing::Scene scene = mode_shapes(scan);
     ASSERT_EQ(scene.panels.size() % 3, 0U);

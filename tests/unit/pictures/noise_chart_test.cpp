@@ -217,7 +217,7 @@ TEST(QuantityChart, DrawsCategoriesOrFigures) {
 
 sweep::SweepResult at_angle(double angle) {
     sweep::SweepResult result = quiet_sweep();
-    result.study.base.joint.incidence_angle = angle;
+    result.study.base.joint().incidence_angle = angle;
     result.study.directions = {parameters::Direction::going};
     result.cells.resize(sweep::cell_count(result.study));
     return result;

@@ -19,9 +19,9 @@ TEST(ChartToReport, IsOverPreloadAndFrictionAroundTheDesign) {
     const parameters::Case c = io::read_case(source);
     const sweep::Study study = chart_to_report(source, c, {}, 24);
     EXPECT_EQ(study.x.parameter, "contact.preload");
-    EXPECT_NEAR(study.x.from, 0.1 * c.contact.preload, 1e-12);
+    EXPECT_NEAR(study.x.from, 0.1 * c.contact().preload, 1e-12);
     EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
-    EXPECT_EQ(study.y.to, c.contact.static_friction);
+    EXPECT_EQ(study.y.to, c.contact().static_friction);
     EXPECT_EQ(study.x.points, 24);
     EXPECT_EQ(study.quantities, std::vector<std::string>{"category"});
 }

@@ -14,9 +14,9 @@ namespace {
 
 TEST(Sketch, NamesWhatTheCaseSays) {
     parameters::Case c;
-    c.joint.incidence_angle = 35.0;
-    c.contact.preload = 12.5;
-    c.contact.kinetic_friction = 0.45;
+    c.joint().incidence_angle = 35.0;
+    c.contact().preload = 12.5;
+    c.contact().kinetic_friction = 0.45;
     const std::string svg = sketch_svg(c);
     for (const char* text : {"35°", "12.5 N", "0.45", ">k<", ">c<", ">m<", ">V<"})
         EXPECT_NE(svg.find(text), std::string::npos) << text;
@@ -26,7 +26,7 @@ TEST(Sketch, StaysWithinItsFrameAtEveryAngle) {
     const std::regex place("translate\\((-?[0-9.]+) (-?[0-9.]+)\\)");
     for (int angle = -360; angle <= 360; angle += 5) {
         parameters::Case c;
-        c.joint.incidence_angle = angle;
+        c.joint().incidence_angle = angle;
         const std::string svg = sketch_svg(c);
         EXPECT_EQ(svg.find("nan"), std::string::npos) << angle;
         EXPECT_EQ(svg.find("inf"), std::string::npos) << angle;
@@ -49,7 +49,7 @@ TEST(Sketch, KeepsItsLabelsApartAtEveryAngle) {
     const std::regex tag("<[^>]*>");
     for (int angle = -360; angle <= 360; angle += 5) {
         parameters::Case c;
-        c.joint.incidence_angle = angle;
+        c.joint().incidence_angle = angle;
         const std::string svg = sketch_svg(c);
         std::vector<Label> labels;
         for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {

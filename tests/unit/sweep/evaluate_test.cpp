@@ -114,7 +114,7 @@ TEST(Evaluate, LeavesADirectionUndecidedThatTheDriveNeverTakes) {
 
 TEST(Evaluate, CallsACellInvalidWhoseValuesContradictEachOther) {
     Study study = small_study();
-    study.base.contact.static_friction = 0.5;
+    study.base.contact().static_friction = 0.5;
     const std::vector<Cell> cells = evaluate(study, 0, 2);
     ASSERT_EQ(cells.size(), 2U);
     for (const Cell& cell : cells) {
@@ -151,7 +151,7 @@ TEST(Evaluate, CallsACellInvalidWhoseNumbersWouldOverflow) {
 TEST(Evaluate, CallsACellFailedWhoseSlidingStartDigsIn) {
     Study study = small_study();
     study.base.run.initial = parameters::Initial::sliding;
-    study.base.contact.static_friction = 5.0;
+    study.base.contact().static_friction = 5.0;
     // at 70 degrees the normal force of steady sliding grows without bound towards mu_d = 4.2 going, never coming
     study.y.to = 5.0;
     const std::vector<Cell> cells = evaluate(study, 0, study.y.points - 1);

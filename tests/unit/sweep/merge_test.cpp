@@ -201,7 +201,7 @@ TEST_F(Merge, RefusesAShareOfAnotherStudyByName) {
     const Study study = plain_study();
     make_shares(study, 2, folder_ / "out");
     Study other = study;
-    other.base.contact.static_friction = 0.7;
+    other.base.contact().static_friction = 0.7;
     std::filesystem::remove(share_file(folder_ / "out", {1, 2}));
     make_share(other, {1, 2}, folder_ / "out");
     const support::Thrown thrown = thrown_by([&] { merge(study, folder_ / "out"); });

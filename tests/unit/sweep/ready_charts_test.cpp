@@ -64,9 +64,9 @@ TEST(SoftParts, AreValidInEveryCell) {
 }
 
 TEST(SoftParts, AreSofterAcrossTheirAxisThanTheStiffJointOfTable1) {
-    const parameters::Joint stiff = parameters::paper_case(parameters::PaperCase::squeal).joint;
+    const parameters::Joint stiff = parameters::paper_case(parameters::PaperCase::squeal).joint();
     for (const SoftPart part : every_part())
-        EXPECT_LE(soft_part(part).base.joint.flexural_stiffness, stiff.flexural_stiffness) << name_of(part);
+        EXPECT_LE(soft_part(part).base.joint().flexural_stiffness, stiff.flexural_stiffness) << name_of(part);
 }
 
 // "25 N/mm J (5 to 100)": the number and its unit; without a unit, the number
@@ -164,8 +164,8 @@ TEST(SoftParts, AreJudgedByTheSecondHalf) {
 // The clip's slips come every 0.19 s with rest between them: no knock, but a creak, as the contact states have it.
 TEST(SoftParts, ASlowCreakOfAClipIsHeardAsACreak) {
     parameters::Case c = soft_part(SoftPart::clip).base;
-    c.contact.preload = 80.0;
-    c.contact.kinetic_friction = 0.21;
+    c.contact().preload = 80.0;
+    c.contact().kinetic_friction = 0.21;
     constexpr std::array going{Direction::going};
     integration::Workspace workspace;
     const std::vector<hearing::HeardSound> sounds = hearing::hear(c, going, {}, {}, workspace);

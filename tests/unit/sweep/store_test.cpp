@@ -201,7 +201,7 @@ TEST_F(StoreFile, MayBeOpenedUnderAnotherTitle) {
 
 TEST_F(StoreFile, NamesWhatItHoldsOtherwiseThanTheFile) {
     { Store store(file_, study_); }
-    study_.base.contact.static_friction = 0.9;
+    study_.base.contact().static_friction = 0.9;
     Thrown thrown = thrown_by_opening(study_);
     EXPECT_EQ(thrown.kind, ErrorKind::input);
     EXPECT_EQ(thrown.message, "the store " + file_.string() +

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Study, CheckRefuses, testing::ValuesIn(wrongs),
 
 TEST(Check, AcceptsCellsThatContradictThemselvesInPartOfTheChart) {
     Study study = small_study();
-    study.base.contact.static_friction = 0.5;
+    study.base.contact().static_friction = 0.5;
     EXPECT_NO_THROW(check(study));
 }
 

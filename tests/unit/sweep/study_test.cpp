@@ -84,8 +84,8 @@ RC_GTEST_PROP(Place, IsTheInverseOfTheIndex, ()) {
 TEST(CaseAt, TakesTheAxesValues) {
     const Study study = small_study();
     const Case c = case_at(study, {0, 2, 1});
-    EXPECT_EQ(c.contact.preload, value_at(study.x, 1));
-    EXPECT_EQ(c.contact.kinetic_friction, 0.8);
+    EXPECT_EQ(c.contact().preload, value_at(study.x, 1));
+    EXPECT_EQ(c.contact().kinetic_friction, 0.8);
 }
 
 TEST(CaseAt, TurnsAConstantDriveByTheDirection) {
@@ -109,7 +109,7 @@ TEST(Study, HoldsADesignWithinBothAxesOnly) {
     study.x = {"contact.preload", 10.0, 30.0, 3, Scale::linear};
     study.y = {"drive.velocity", 0.05, 0.2, 2, Scale::linear};
     const auto holds = [&](double preload, double velocity) {
-        study.base.contact.preload = preload;
+        study.base.contact().preload = preload;
         study.base.drive.velocity = velocity;
         return holds_design(study);
     };
@@ -143,8 +143,8 @@ TEST(CanonicalText, IsBlindToWhatChangesNoResult) {
     Study study = small_study();
     study.base.title = "another title";
     study.quantities = {"frequency"};
-    study.base.contact.preload = 77.0;
-    study.base.contact.kinetic_friction = 0.77;
+    study.base.contact().preload = 77.0;
+    study.base.contact().kinetic_friction = 0.77;
     study.base.drive.velocity = -study.base.drive.velocity;
     EXPECT_EQ(canonical_text(study), text);
 }
@@ -270,12 +270,12 @@ TEST(PaperCharts, HoldTheRangesTheyPromise) {
     for (const double angle : {70.0, 150.0}) {
         const parameters::Case first = case_at(figure_6(angle), {0, 0, 0, 0});
         const parameters::Case last = case_at(figure_6(angle), {0, 29, 29, 0});
-        EXPECT_EQ(first.joint.incidence_angle, angle);
-        EXPECT_EQ(last.joint.incidence_angle, angle);
+        EXPECT_EQ(first.joint().incidence_angle, angle);
+        EXPECT_EQ(last.joint().incidence_angle, angle);
         EXPECT_EQ(first.drive.velocity, 0.01);
         EXPECT_EQ(last.drive.velocity, 1.0);
-        EXPECT_EQ(first.contact.preload, 2.0);
-        EXPECT_EQ(last.contact.preload, 4000.0);
+        EXPECT_EQ(first.contact().preload, 2.0);
+        EXPECT_EQ(last.contact().preload, 4000.0);
     }
     for (const Study& study : {figure_8(), figure_6(70.0), figure_6(150.0)})
         for (std::size_t index = 0; index < cell_count(study); ++index) {
@@ -310,10 +310,10 @@ TEST(Study, OfSeveralJointsSetsTheOneThatAnAxisNames) {
     const Study study = study_of_two_joints();
     check(study);
     const Case c = case_at(study, {0, 2, 3});
-    EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
-    EXPECT_EQ(c.contact.preload, 200.0);
-    EXPECT_EQ(c.joint.incidence_angle, 80.0);
-    EXPECT_EQ(c.further_joints[0].joint.incidence_angle, 60.0);
+    EXPECT_EQ(c.joints[1].contact.preload, 400.0);
+    EXPECT_EQ(c.contact().preload, 200.0);
+    EXPECT_EQ(c.joint().incidence_angle, 80.0);
+    EXPECT_EQ(c.joints[1].joint.incidence_angle, 60.0);
     EXPECT_NE(reproduce_command(study, {0, 2, 3}, "two.toml").find("--set joint.lower.contact.preload=400"),
               std::string::npos);
     EXPECT_TRUE(holds_design(study));
@@ -324,11 +324,11 @@ TEST(Study, OfSeveralJointsSetsAllOfThemByAKeyWithoutAName) {
     study.x.parameter = "contact.preload";
     check(study);
     const Case c = case_at(study, {0, 0, 0});
-    EXPECT_EQ(c.contact.preload, 2.0);
-    EXPECT_EQ(c.further_joints[0].contact.preload, 2.0);
+    EXPECT_EQ(c.contact().preload, 2.0);
+    EXPECT_EQ(c.joints[1].contact.preload, 2.0);
     // what the axis sets is no part of what the results belong to
     Study other = study;
-    other.base.further_joints[0].contact.preload = 77.0;
+    other.base.joints[1].contact.preload = 77.0;
     EXPECT_EQ(canonical_text(other), canonical_text(study));
     EXPECT_FALSE(holds_design(other));
 }

@@ -48,35 +48,35 @@ std::string temperature_table_text(const parameters::Case& c) {
 
 enum class Shown { all, joint, but_joint };
 
-std::string fields_text(const parameters::Case& c, Shown shown) {
+std::string fields_text(parameters::CaseView at, Shown shown) {
     std::string text;
     std::string_view section;
     for (const parameters::Field& field : parameters::fields()) {
-        if (!field.belongs(c) || field.section.empty()) continue;
+        if (!field.belongs(at) || field.section.empty()) continue;
         const bool is_of_joint = parameters::is_of_joint(field);
         if (shown != Shown::all && is_of_joint != (shown == Shown::joint)) continue;
         if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
         const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
-        std::string value = parameters::value_text(c, field);
-        if (parameters::damping_ratio(c, field))
+        std::string value = parameters::value_text(at, field);
+        if (parameters::damping_ratio(at, field))
             value =
-                fmt::format("{:.6g} {} ({})", parameters::get_quantity(c, field), parameters::unit_of(field), value);
-        if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) value += ", over temperature";
+                fmt::format("{:.6g} {} ({})", parameters::get_quantity(at, field), parameters::unit_of(field), value);
+        if (parameters::temperature_column(at, field) != nullptr) value += ", over temperature";
         text += fmt::format("{:<20} = {:<16} ", field.name, value) +
                 styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
-        if (field.section == "temperature") text += temperature_table_text(c);
+        if (field.section == "temperature") text += temperature_table_text(at.c);
     }
     return text;
 }
 
 // joint by joint, then what they share
 std::string fields_text(const parameters::Case& c) {
-    if (c.further_joints.empty()) return fields_text(c, Shown::all);
+    if (!parameters::has_several_joints(c)) return fields_text(c, Shown::all);
     std::string text;
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
         text += styled(parameters::joint_name(c, k), Style::bold, STDOUT_FILENO) + "\n" +
-                fields_text(parameters::alone(c, k), Shown::joint) + "\n";
+                fields_text({c, k}, Shown::joint) + "\n";
     return text + fields_text(c, Shown::but_joint);
 }
 
@@ -139,7 +139,7 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
 }
 
 double exact_seconds_per_step(const parameters::Case& c) {
-    if (!c.own_structure && c.further_joints.empty()) return seconds_per_exact_step;
+    if (!c.own_structure && !parameters::has_several_joints(c)) return seconds_per_exact_step;
     const auto contacts = static_cast<double>(parameters::contact_count(c));
     const auto modes = static_cast<double>(model::dofs_of_system(c));
     return seconds_per_taylor_step +

@@ -111,9 +111,9 @@ std::string structure_text(const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
     std::string text = fmt::format(", {}: {} rows, {}\n", own.origin, own.row.size(),
                                    counted(own.contacts.size(), "contact", "contacts"));
-    text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact.preload)
+    text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact().preload)
                                           : std::string("without a preload, ");
-    return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact.kinetic_friction, c.contact.static_friction);
+    return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact().kinetic_friction, c.contact().static_friction);
 }
 
 // what the joints rub with
@@ -121,12 +121,13 @@ std::string joints_text(const parameters::Case& c) {
     if (c.own_structure) return structure_text(c);
     std::string text;
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
-        const parameters::Case only = parameters::alone(c, k);
-        text += c.further_joints.empty() ? "" : "  " + parameters::joint_name(c, k) + ": ";
-        text += fmt::format("preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", only.contact.preload,
-                            only.contact.kinetic_friction, only.contact.static_friction, only.joint.incidence_angle);
+        const auto& [joint, contact, name, axial, flexural] = c.joints[k];
+        text += parameters::has_several_joints(c) ? "  " + name + ": " : "";
+        text += fmt::format("preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", contact.preload,
+                            contact.kinetic_friction, contact.static_friction, joint.incidence_angle);
     }
-    return c.further_joints.empty() ? ", " + text : fmt::format(", {} joints\n", parameters::joint_count(c)) + text;
+    return !parameters::has_several_joints(c) ? ", " + text
+                                              : fmt::format(", {} joints\n", parameters::joint_count(c)) + text;
 }
 
 // names of an own structure's contacts are a file's

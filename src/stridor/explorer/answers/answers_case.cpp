@@ -38,7 +38,7 @@ constexpr std::size_t most_complaints = 12;
 // {"drive.kind": ["constant", "trapezoidal"]}: the choices without which a field means nothing; none if it always does
 Json homes_object(const parameters::Field& field) {
     std::map<const parameters::Field*, std::vector<std::string_view>> names;
-    for (const parameters::Home& home : parameters::homes_of({}, field))
+    for (const parameters::Home& home : parameters::homes_of(parameters::Case{}, field))
         names[home.choice].push_back(home.name);
     Json object = Json::object();
     for (const auto& [choice, all] : names)
@@ -65,7 +65,7 @@ Json field_object(const parameters::Field& field) {
         object["low"] = quantity->range.low;  // null where it is open to infinity
         object["high"] = quantity->range.high;
         // what a choice that needs it begins with; other fields have their values without saying
-        if (io::is_required(field)) object["default"] = quantity->get({});
+        if (io::is_required(field)) object["default"] = quantity->get(parameters::Case{});
         if (quantity->usual) object["usual"] = range_object(*quantity->usual);
     } else if (const auto* choice = std::get_if<parameters::Choice>(&field.kind)) {
         object["kind"] = "choice";

@@ -81,7 +81,7 @@ Response share(const World& world, const Json& body, const std::stop_token&) {
     if (c.own_structure)
         throw Error(ErrorKind::input, {"a structure of its own does not travel in a link",
                                        "a link holds changes to a built-in case", "Send the case as a file."});
-    if (!c.further_joints.empty())
+    if (parameters::has_several_joints(c))
         throw Error(ErrorKind::input, {"several joints do not travel in a link",
                                        "a link holds changes to a built-in case", "Send the case as a file."});
     if (parameters::has_temperature_table(c))

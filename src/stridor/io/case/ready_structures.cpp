@@ -28,9 +28,9 @@ stiffness = 1
 coupling = 1.2
 )");
     c.title = "two blocks on a belt, tied to each other";
-    c.contact.preload = 2.0;
-    c.contact.static_friction = 1.0;
-    c.contact.kinetic_friction = 0.5;
+    c.contact().preload = 2.0;
+    c.contact().static_friction = 1.0;
+    c.contact().kinetic_friction = 0.5;
     c.run.duration = c.run.window = 200.0;
     return c;
 }
@@ -48,9 +48,9 @@ modes = 40
 start = "helmholtz"
 )");
     c.title = "bowed string: it sticks for most of each period and yet has a tone, hence creak_stick = 1";
-    c.contact.preload = 0.8;
-    c.contact.static_friction = 0.8;
-    c.contact.kinetic_friction = 0.3;
+    c.contact().preload = 0.8;
+    c.contact().static_friction = 0.8;
+    c.contact().kinetic_friction = 0.3;
     c.run.duration = 3.0;
     c.verdict.creak_stick = 1.0;
     return c;

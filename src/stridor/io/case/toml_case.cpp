@@ -49,27 +49,32 @@ bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
                        [&](const TomlEntry& other) { return other.key.starts_with(entry.key + "."); });
 }
 
-/// A document on its way to a case, with what is wrong with it so far.
+/// A document on its way to a case, with what is wrong with it so far, for each joint.
 class CaseReading {
 public:
-    /// `beginning` has what fields do not say: a structure of its own.
+    /// `beginning` has what fields do not say: the names of its joints, a structure of its own.
     explicit CaseReading(const TomlDocument& document, const Case& beginning = {})
         : document_(&document),
+          complaints_(beginning.joints.size()),
           of_file_(beginning),
           c_(beginning) {}
 
     /// Chooses the kinds, which decide what else belongs, and looks whether all keys are there and in their place.
     void read_kinds() {
-        const std::vector<std::string> meant = check_known(*document_, complaints_);
-        unread_.insert(unread_.end(), meant.begin(), meant.end());
-        const std::vector<std::string> untold = read_temperature_table(*document_, c_, complaints_);
-        unread_.insert(unread_.end(), untold.begin(), untold.end());
+        for (std::size_t joint = 0; joint < joints(); ++joint)
+            add_unread(check_known({*document_, joint}, complaints_[joint]), joint);
+        Complaints of_table;
+        for (Untold& untold : read_temperature_table(*document_, c_, of_table))
+            unread_.push_back(std::move(untold));
+        keep(std::nullopt, [&] { of_table.throw_any(); });
         of_file_.temperature = c_.temperature;
         assign_all(of_file_, Pass::choices, SettingLayer::file);
         assign_all(c_, Pass::choices, SettingLayer::everything);
-        const std::vector<std::string> missing = check_complete(c_, *document_, unread_, complaints_);
-        unread_.insert(unread_.end(), missing.begin(), missing.end());
-        if (knows_kinds()) check_belonging(of_file_, c_, *document_, complaints_);
+        for (std::size_t joint = 0; joint < joints(); ++joint) {
+            const DocumentView view(*document_, joint);
+            add_unread(check_complete(c_, view, unread_of(joint), complaints_[joint]), joint);
+            if (knows_kinds(joint)) check_belonging(of_file_, c_, view, complaints_[joint]);
+        }
     }
 
     void read_values() {
@@ -80,58 +85,104 @@ public:
 
     /// What contradicts each other, as far as it is known.
     void check_findings() {
-        for (const parameters::Finding& finding : parameters::findings(c_)) {
-            if (!is_sound(finding)) continue;
-            const TomlEntry* entry = document_->find(finding.key);
-            if (entry == nullptr) entry = find_temperature_list(*document_, finding.key);
-            complaints_.add({ErrorKind::input, finding.problem,
-                             entry != nullptr ? entry->value_place : base::Place{document_->name, 0, 0, ""}});
-        }
+        for (std::size_t joint = 0; joint < joints(); ++joint)
+            for (const parameters::Finding& finding : parameters::findings_at({c_, joint})) {
+                if (!is_sound(finding, joint)) continue;
+                const DocumentView view(*document_, joint);
+                const TomlEntry* entry = view.find(finding.key);
+                if (entry == nullptr) entry = find_temperature_list(view, finding.key);
+                complaints_[joint].add(
+                    {ErrorKind::input, finding.problem,
+                     entry != nullptr ? entry->value_place : base::Place{document_->name, 0, 0, ""}});
+            }
+    }
+
+    /// Is nothing wrong with one joint at least, and with what all share?
+    bool has_sound_joint() const {
+        return std::any_of(complaints_.begin(), complaints_.end(), [](const Complaints& of) { return of.empty(); });
+    }
+
+    void throw_any() const {
+        Complaints all;
+        for (const Complaints& of_joint : complaints_)
+            all.keep([&] { of_joint.throw_any(); });
+        all.throw_any();
     }
 
     const Case& of_file() const { return of_file_; }
     Case& result() { return c_; }
-    const Complaints& complaints() const { return complaints_; }
 
 private:
+    std::size_t joints() const { return complaints_.size(); }
+
+    // does a part of the reading that is about one joint, or about what all share; did it end in no error?
+    template <typename Part>
+    bool keep(std::optional<std::size_t> joint, Part&& part) {
+        Complaints own;
+        const bool is_good = own.keep(std::forward<Part>(part));
+        for (std::size_t k = 0; !is_good && k < joints(); ++k)
+            if (!joint || *joint == k) complaints_[k].keep([&] { own.throw_any(); });
+        return is_good;
+    }
+
     void assign_all(Case& c, Pass pass, SettingLayer layer) {
         for (const TomlEntry& entry : document_->entries) {
             const Field* field = parameters::find_field(entry.key);
             if (field == nullptr || (layer == SettingLayer::file && entry.origin != TomlOrigin::file)) continue;
-            const bool is_choice = std::holds_alternative<Choice>(field->kind);
-            const bool decides = layer == SettingLayer::file || document_->find(entry.key) == &entry;
-            if (!decides || is_choice != (pass == Pass::choices)) continue;
-            if (!has_inner(*document_, entry) && complaints_.keep([&] { assign(c, *field, entry); })) continue;
-            unread_.push_back(entry.key);
-            // what follows the temperature is not known without it
-            if (field->section == "temperature")
-                for (const parameters::TemperatureColumn& column : c.temperature.columns)
-                    unread_.push_back(column.key);
+            if (std::holds_alternative<Choice>(field->kind) != (pass == Pass::choices)) continue;
+            const std::size_t count = parameters::is_of_joint(*field) ? joints() : 1;
+            for (std::size_t joint = 0; joint < count; ++joint)
+                if (!entry.joint || *entry.joint == joint) assign_one({c, joint}, *field, entry, layer);
         }
     }
 
-    bool is_unread(std::string_view key) const {
-        return std::find(unread_.begin(), unread_.end(), key) != unread_.end();
+    void assign_one(parameters::CaseToSet at, const Field& field, const TomlEntry& entry, SettingLayer layer) {
+        const bool decides = layer == SettingLayer::file || document_->find(entry.key, at.joint) == &entry;
+        const auto joint = parameters::is_of_joint(field) ? std::optional(at.joint) : std::nullopt;
+        if (!decides || (!has_inner(*document_, entry) && keep(joint, [&] { assign(at, field, entry); }))) return;
+        unread_.push_back({entry.key, joint});
+        // what follows the temperature is not known without it
+        if (field.section == "temperature")
+            for (const parameters::TemperatureColumn& column : at.c.temperature.columns) {
+                const auto named = parameters::joint_key(column.key);
+                unread_.push_back({named ? named->key : column.key, std::nullopt});
+            }
     }
 
-    bool knows_kinds() const {
-        return std::none_of(unread_.begin(), unread_.end(), [](const std::string& key) {
+    void add_unread(const std::vector<std::string>& keys, std::size_t joint) {
+        for (const std::string& key : keys)
+            unread_.push_back({key, joint});
+    }
+
+    std::vector<std::string> unread_of(std::size_t joint) const {
+        std::vector<std::string> keys;
+        for (const Untold& untold : unread_)
+            if (!untold.joint || *untold.joint == joint) keys.push_back(untold.key);
+        return keys;
+    }
+
+    bool knows_kinds(std::size_t joint) const {
+        const std::vector<std::string> unread = unread_of(joint);
+        return std::none_of(unread.begin(), unread.end(), [](const std::string& key) {
             const Field* field = parameters::find_field(key);
             return field != nullptr && std::holds_alternative<Choice>(field->kind);
         });
     }
 
     // does it rest on values that were read?
-    bool is_sound(const parameters::Finding& finding) const {
-        if (finding.others.empty()) return complaints_.empty();
-        return !is_unread(finding.key) && std::none_of(finding.others.begin(), finding.others.end(),
-                                                       [&](std::string_view key) { return is_unread(key); });
+    bool is_sound(const parameters::Finding& finding, std::size_t joint) const {
+        if (finding.others.empty()) return complaints_[joint].empty();
+        const std::vector<std::string> unread = unread_of(joint);
+        return std::none_of(unread.begin(), unread.end(), [&](const std::string& key) {
+            return key == finding.key ||
+                   std::find(finding.others.begin(), finding.others.end(), key) != finding.others.end();
+        });
     }
 
     const TomlDocument* document_;
-    Complaints complaints_;
-    std::vector<std::string> unread_;  // keys whose values are not known
-    Case of_file_;                     // the kinds that the file chooses
+    std::vector<Complaints> complaints_;  // shape [joint]; what is wrong with all of them stands with each
+    std::vector<Untold> unread_;          // whose values are not known
+    Case of_file_;                        // the kinds that the file chooses
     Case c_;
 };
 
@@ -159,32 +210,30 @@ parameters::Case read_one(const TomlDocument& document, const SamplesReader& sam
     CaseReading reading(document, beginning);
     reading.read_kinds();
     reading.read_values();
-    if (what == ReadAs::base_of_chart) reading.complaints().throw_any();
+    if (what == ReadAs::base_of_chart) reading.throw_any();
     // what a sampled drive moves is known only when its file is read
-    if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
+    if (reading.has_sound_joint()) read_samples(reading.result(), document, samples);
     if (what == ReadAs::complete_case) reading.check_findings();
-    reading.complaints().throw_any();
+    reading.throw_any();
     return reading.result();
 }
 
-// several joints: the file is read once for each, and the first says what they share
+// a case with joints of these names, and nothing else yet
+Case with_joints(const std::vector<std::string>& names) {
+    Case c;
+    c.joints.resize(names.size());
+    for (std::size_t joint = 0; joint < names.size(); ++joint)
+        c.joints[joint].name = names[joint];
+    return c;
+}
+
 parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples, ReadAs what) {
     Complaints complaints;
-    std::optional<Case> whole;
-    for (const JointDocument& joint : joint_documents(document, complaints))
-        complaints.keep([&] {
-            const Case only = read_one(joint.document, samples, what);
-            for (const parameters::Finding& finding : parameters::findings_among_several(only)) {
-                const TomlEntry* entry = joint.document.find(finding.key);
-                complaints.add({ErrorKind::input, finding.problem,
-                                entry != nullptr ? entry->value_place : base::Place{document.name, 0, 0, ""}});
-            }
-            if (whole) return parameters::add_joint(*whole, joint.name, only);
-            whole = only;
-            whole->joint_name = joint.name;
-        });
+    const JointsDocument joints = joints_document(document, complaints);
+    Case c;
+    complaints.keep([&] { c = read_one(joints.document, samples, what, with_joints(joints.names)); });
     complaints.throw_any();
-    return *whole;
+    return c;
 }
 
 // a structure of its own stands where the joints would
@@ -212,13 +261,13 @@ bool is_required(const parameters::Field& field) {
     return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law;
 }
 
-void assign(Case& c, const Field& field, const TomlEntry& entry) {
+void assign(parameters::CaseToSet at, const Field& field, const TomlEntry& entry) {
     try {
         if (const auto* text = std::get_if<std::string>(&entry.value))
-            return parameters::set_from_text(c, field, *text);
+            return parameters::set_from_text(at, field, *text);
         const auto* number = std::get_if<double>(&entry.value);
         const bool takes_number = std::holds_alternative<Quantity>(field.kind);
-        if (number != nullptr && takes_number) return parameters::set_quantity(c, field, *number);
+        if (number != nullptr && takes_number) return parameters::set_quantity(at, field, *number);
     } catch (const Error& error) {
         throw located(error, entry.key, entry.value_place);
     }
@@ -227,27 +276,21 @@ void assign(Case& c, const Field& field, const TomlEntry& entry) {
 }
 
 std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
-    Complaints names;  // said when the case is read
-    std::vector<JointDocument> joints;
     // what is left over of one with a structure of its own is said when it is read
     if (has_own_structure(document)) return {};
-    if (lists_joints(document)) joints = joint_documents(document, names);
-    if (joints.empty()) joints.push_back({"", document});
+    Complaints names;  // said when the case is read
+    JointsDocument joints{{""}, document};
+    if (lists_joints(document)) joints = joints_document(document, names);
+    CaseReading reading(joints.document, with_joints(joints.names));
+    reading.read_kinds();
     std::vector<base::Complaint> warnings;
-    for (const JointDocument& joint : joints) {
-        CaseReading reading(joint.document);
-        reading.read_kinds();
-        for (const TomlEntry& entry : joint.document.entries) {
-            const Field* field = parameters::find_field(entry.key);
-            if (field == nullptr || !is_idle(reading.of_file(), *field, entry)) continue;
-            const bool is_told = std::any_of(warnings.begin(), warnings.end(), [&](const base::Complaint& told) {
-                return told.place->line == entry.key_place.line && told.place->column == entry.key_place.column;
-            });
-            if (is_told) continue;
+    for (const TomlEntry& entry : joints.document.entries) {
+        const parameters::CaseView of_file(reading.of_file(), entry.joint.value_or(0));
+        const Field* field = parameters::find_field(entry.key);
+        if (field != nullptr && is_idle(of_file, *field, entry))
             warnings.push_back({{entry.key + " means nothing for this case and is left out",
-                                 "it belongs to " + parameters::home_of(reading.of_file(), *field), ""},
+                                 "it belongs to " + parameters::home_of(of_file, *field), ""},
                                 entry.key_place});
-        }
     }
     return warnings;
 }

@@ -59,7 +59,7 @@ parameters::Case read_base_case(const TomlDocument& document, const CaseReaders&
 std::vector<base::Complaint> case_warnings(const TomlDocument& document);
 
 /// Puts the value of one entry into a case. Throws `Error` (input) with the entry's place.
-void assign(parameters::Case& c, const parameters::Field& field, const TomlEntry& entry);
+void assign(parameters::CaseToSet at, const parameters::Field& field, const TomlEntry& entry);
 
 /// Must a file say this, whenever it belongs to the case?
 bool is_required(const parameters::Field& field);

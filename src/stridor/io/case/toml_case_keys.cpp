@@ -68,13 +68,13 @@ bool is_in_unknown_section(const TomlDocument& document, const TomlEntry& entry)
     return !is_section(section) && opened != nullptr && std::holds_alternative<TomlTable>(opened->value);
 }
 
-Error missing_keys(const Case& c, const TomlDocument& document, const std::vector<std::string>& missing) {
+Error missing_keys(parameters::CaseView at, const TomlDocument& document, const std::vector<std::string>& missing) {
     std::string keys;
     std::string examples;
     for (const std::string& key : missing) {
         const Field& field = *parameters::find_field(key);
         keys += (keys.empty() ? "" : ", ") + key;
-        examples += (examples.empty() ? "" : ", ") + toml_line(c, field) + " in [" + std::string(field.section) + "]";
+        examples += (examples.empty() ? "" : ", ") + toml_line(at, field) + " in [" + std::string(field.section) + "]";
     }
     const bool is_one = missing.size() == 1;
     return {ErrorKind::input,
@@ -97,9 +97,11 @@ std::vector<Case> cases_to_start_from() {
 
 }  // namespace
 
-std::vector<std::string> check_known(const TomlDocument& document, Complaints& complaints) {
+std::vector<std::string> check_known(const DocumentView& view, Complaints& complaints) {
+    const TomlDocument& document = view.document;
     std::vector<std::string> meant;
     for (const TomlEntry& entry : document.entries) {
+        if (!view.has(entry)) continue;
         const bool is_read_elsewhere = is_chart_key(entry.key) || is_temperature_list(entry.key);
         if (is_read_elsewhere || is_in_unknown_section(document, entry)) continue;
         if (std::find(document_keys.begin(), document_keys.end(), entry.key) != document_keys.end()) {
@@ -127,22 +129,23 @@ std::vector<std::string> check_known(const TomlDocument& document, Complaints& c
     return meant;
 }
 
-std::vector<std::string> check_complete(const Case& c, const TomlDocument& document,
-                                        const std::vector<std::string>& unread, Complaints& complaints) {
-    const bool knows_drive = document.find("drive.kind") != nullptr && !contains(unread, "drive.kind");
+std::vector<std::string> check_complete(const Case& c, const DocumentView& view, const std::vector<std::string>& unread,
+                                        Complaints& complaints) {
+    const parameters::CaseView at(c, view.joint);
+    const bool knows_drive = view.find("drive.kind") != nullptr && !contains(unread, "drive.kind");
     std::vector<std::string> missing;
     for (const Field& field : parameters::fields()) {
         const std::string key = parameters::key_of(field);
         const bool is_known = field.section != "drive" || field.name == "kind" || knows_drive;
         const bool is_needed =
-            is_known && is_required(field) && field.belongs(c) && parameters::temperature_column(c, key) == nullptr;
-        if (is_needed && document.find(key) == nullptr && !contains(unread, key)) missing.push_back(key);
+            is_known && is_required(field) && field.belongs(at) && parameters::temperature_column(at, field) == nullptr;
+        if (is_needed && view.find(key) == nullptr && !contains(unread, key)) missing.push_back(key);
     }
-    if (!missing.empty()) complaints.add(missing_keys(c, document, missing));
+    if (!missing.empty()) complaints.add(missing_keys(at, view.document, missing));
     return missing;
 }
 
-bool is_idle(const Case& of_file, const Field& field, const TomlEntry& entry) {
+bool is_idle(parameters::CaseView of_file, const Field& field, const TomlEntry& entry) {
     if (entry.origin != TomlOrigin::file || field.belongs(of_file)) return false;
     if (parameters::home_of(of_file, field).empty()) return false;  // no kind was changed
     Case written;
@@ -176,13 +179,15 @@ Error without_meaning(const Field& field, const TomlEntry& entry) {
 
 }  // namespace
 
-void check_belonging(const Case& of_file, const Case& c, const TomlDocument& document, Complaints& complaints) {
+void check_belonging(const Case& of_file, const Case& c, const DocumentView& view, Complaints& complaints) {
+    const TomlDocument& document = view.document;
     for (const TomlEntry& entry : document.entries) {
+        if (!view.has(entry)) continue;
         const Field* field = parameters::find_field(entry.key);
-        const Case& judge = entry.origin == TomlOrigin::file ? of_file : c;
-        if (field == nullptr || field->belongs(judge) || is_idle(of_file, *field, entry)) continue;
+        const parameters::CaseView judge(entry.origin == TomlOrigin::file ? of_file : c, view.joint);
+        if (field == nullptr || field->belongs(judge) || is_idle({of_file, view.joint}, *field, entry)) continue;
         const std::string home = parameters::home_of(judge, *field);
-        if (home.empty() && (judge.own_structure || field->section == "structure")) {
+        if (home.empty() && (judge.c.own_structure || field->section == "structure")) {
             complaints.add(without_meaning(*field, entry));
             continue;
         }

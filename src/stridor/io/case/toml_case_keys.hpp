@@ -13,21 +13,21 @@ namespace stridor::io {
 
 /// Complains of unknown sections and keys, and of sections that are values. Returns the keys that were meant by what is
 /// misspelt: nobody needs to hear that they are missing.
-std::vector<std::string> check_known(const TomlDocument& document, Complaints& complaints);
+std::vector<std::string> check_known(const DocumentView& view, Complaints& complaints);
 
 /// Complains of what must be there for this case and is not, apart from keys that are there and could not be read.
 /// Returns what is missing.
-std::vector<std::string> check_complete(const parameters::Case& c, const TomlDocument& document,
+std::vector<std::string> check_complete(const parameters::Case& c, const DocumentView& view,
                                         const std::vector<std::string>& unread, Complaints& complaints);
 
 /// Does a key stand in the file for nothing, and without harm? It means nothing for the kinds that the file itself
 /// chooses (`of_file`), and its value is the default or the one that a case to start from has: who changes a kind by
 /// hand leaves such keys behind.
-bool is_idle(const parameters::Case& of_file, const parameters::Field& field, const TomlEntry& entry);
+bool is_idle(parameters::CaseView of_file, const parameters::Field& field, const TomlEntry& entry);
 
 /// Complains of keys that mean nothing for this case and are not idle. A key of the file is held against the file's own
 /// choices, an override against those that count in the end.
-void check_belonging(const parameters::Case& of_file, const parameters::Case& c, const TomlDocument& document,
+void check_belonging(const parameters::Case& of_file, const parameters::Case& c, const DocumentView& view,
                      Complaints& complaints);
 
 }  // namespace stridor::io

@@ -311,9 +311,10 @@ TomlSource load_toml(const std::string& path, std::vector<std::string> overrides
     return {std::move(text), path == storage::standard_input ? "<stdin>" : path, std::move(overrides)};
 }
 
-const TomlEntry* TomlDocument::find(std::string_view key) const {
-    const auto last =
-        std::find_if(entries.rbegin(), entries.rend(), [&](const auto& entry) { return entry.key == key; });
+const TomlEntry* TomlDocument::find(std::string_view key, std::size_t joint) const {
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [&](const auto& entry) {
+        return entry.key == key && (!entry.joint || *entry.joint == joint);
+    });
     return last == entries.rend() ? nullptr : &*last;
 }
 

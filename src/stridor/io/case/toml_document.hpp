@@ -2,6 +2,8 @@
 
 #include "stridor/base/error.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,6 +45,7 @@ struct TomlEntry {
     TomlOrigin origin = TomlOrigin::file;
     base::Place key_place;
     base::Place value_place;
+    std::optional<std::size_t> joint{};  // which of several joints it is about; nothing: all, or what they share
 };
 
 /// A file taken apart: its entries in the order of its text, then the overrides.
@@ -50,8 +53,18 @@ struct TomlDocument {
     std::string name;
     std::vector<TomlEntry> entries;
 
-    /// The entry that decides the value of a key; nothing if the key is not there.
-    const TomlEntry* find(std::string_view key) const;
+    /// The entry that decides the value of a key, of several joints for one; nothing if the key is not there.
+    const TomlEntry* find(std::string_view key, std::size_t joint = 0) const;
+};
+
+/// A document as one of several joints is asked of it; by itself it stands for the first.
+struct DocumentView {
+    DocumentView(const TomlDocument& of, std::size_t number = 0) : document(of), joint(number) {}
+    const TomlEntry* find(std::string_view key) const { return document.find(key, joint); }
+    bool has(const TomlEntry& entry) const { return !entry.joint || *entry.joint == joint; }
+
+    const TomlDocument& document;
+    std::size_t joint;
 };
 
 /// Throws `Error` (input) with the places for text that is not TOML and duplicate keys, or for an override without "=".

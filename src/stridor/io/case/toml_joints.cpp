@@ -54,41 +54,54 @@ std::optional<parameters::JointKey> joint_over_temperature(const TomlEntry& entr
     return opens ? std::optional(parameters::JointKey{std::string(key.substr(list_key.size() + 1)), ""}) : std::nullopt;
 }
 
+// which joint has that name
+std::optional<std::size_t> number_of(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
+}
+
 // its list, called as that of the only joint
-std::optional<TomlEntry> list_for(const TomlEntry& entry, const parameters::JointKey& key, const std::string& name) {
-    if (key.joint != name || std::holds_alternative<TomlTable>(entry.value)) return std::nullopt;
-    TomlEntry own = entry;
+std::optional<TomlEntry> list_for(TomlEntry entry, const parameters::JointKey& key,
+                                  const std::vector<std::string>& names) {
+    entry.joint = number_of(names, key.joint);
+    if (!entry.joint || std::holds_alternative<TomlTable>(entry.value)) return std::nullopt;
     try {
         const std::string called = parameters::key_called(parameters::key_of_joint(key));
-        own.key = std::string(table_opening) + parameters::joint_key(called)->key;
+        entry.key = std::string(table_opening) + parameters::joint_key(called)->key;
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), entry.key_place);
     }
-    return own;
+    return entry;
 }
 
-// an entry as the file of one joint has it; nothing if it is another's
-std::optional<TomlEntry> entry_for(const TomlEntry& entry, std::size_t number, const std::string& name) {
+// "joint.2.contact.preload": the number of its table
+std::optional<std::size_t> table_of(std::string_view key, std::size_t count) {
+    for (std::size_t number = 1; number <= count; ++number)
+        if (key == table_key(number) || is_below(key, table_key(number))) return number;
+    return std::nullopt;
+}
+
+// an entry as a file with one joint has it; nothing for one that is no value of a joint, or of one that is not there
+std::optional<TomlEntry> renamed(const TomlEntry& entry, const std::vector<std::string>& names) {
     TomlEntry own = entry;
-    if (const auto named = joint_over_temperature(entry)) return list_for(entry, *named, name);
+    if (const auto named = joint_over_temperature(entry)) return list_for(entry, *named, names);
     if (entry.origin == TomlOrigin::override) {
         const auto key = parameters::joint_key(entry.key);
         if (!key) return own;
         own.key = key->key;
-        return key->joint == name ? std::optional(own) : std::nullopt;
+        own.joint = number_of(names, key->joint);
+        return own.joint ? std::optional(own) : std::nullopt;
     }
     if (entry.key == list_key) return std::nullopt;
     if (!is_below(entry.key, list_key)) return own;
-    const std::string table = table_key(number);
-    if (entry.key == table) {
-        own.key = list_key;
-        return own;
-    }
-    if (!is_below(entry.key, table)) return std::nullopt;
-    const std::string inner = entry.key.substr(table.size() + 1);
+    const std::optional<std::size_t> number = table_of(entry.key, names.size());
+    if (!number) return std::nullopt;
+    own.joint = *number - 1;
+    const std::string table = table_key(*number);
+    const std::string inner = entry.key == table ? "" : entry.key.substr(table.size() + 1);
     if (inner == "name") return std::nullopt;
     const bool is_of_contact = inner == "contact" || is_below(inner, "contact");
-    own.key = is_of_contact ? inner : std::string(list_key) + "." + inner;
+    own.key = inner.empty() ? std::string(list_key) : is_of_contact ? inner : std::string(list_key) + "." + inner;
     return own;
 }
 
@@ -98,25 +111,8 @@ bool is_misplaced(const TomlEntry& own) {
            parameters::find_field("contact." + own.key.substr(list_key.size() + 1)) != nullptr;
 }
 
-// a joint of which nothing follows the temperature has no table: another one's may have taken all lists
-void drop_empty_table(TomlDocument& own, const TomlDocument& document) {
-    const bool has_other = std::any_of(document.entries.begin(), document.entries.end(), [](const TomlEntry& entry) {
-        return joint_over_temperature(entry).has_value();
-    });
-    const bool has_own = std::any_of(own.entries.begin(), own.entries.end(), [](const TomlEntry& entry) {
-        return entry.key.starts_with(table_opening) && entry.key != "temperature.at" &&
-               entry.key != "temperature.value" && !std::holds_alternative<TomlTable>(entry.value);
-    });
-    if (!has_other || has_own) return;
-    std::erase_if(own.entries, [](const TomlEntry& entry) {
-        return entry.key == "temperature" || entry.key.starts_with(table_opening);
-    });
-}
-
-void check_names(const TomlDocument& document, const std::vector<JointDocument>& joints, Complaints& complaints) {
-    std::vector<std::string_view> names;
-    for (const JointDocument& joint : joints)
-        names.emplace_back(joint.name);
+void check_names(const TomlDocument& document, const std::vector<std::string>& joints, Complaints& complaints) {
+    const std::vector<std::string_view> names(joints.begin(), joints.end());
     for (const TomlEntry& entry : document.entries) {
         const auto over_temperature = joint_over_temperature(entry);
         const auto key = over_temperature                       ? over_temperature
@@ -138,8 +134,8 @@ bool lists_joints(const TomlDocument& document) {
     return document.find(table_key(1)) != nullptr;
 }
 
-std::vector<JointDocument> joint_documents(const TomlDocument& document, Complaints& complaints) {
-    std::vector<JointDocument> joints;
+JointsDocument joints_document(const TomlDocument& document, Complaints& complaints) {
+    JointsDocument joints{{}, {document.name, {}}};
     const TomlEntry* common = document.find("contact");
     if (common != nullptr && common->origin == TomlOrigin::file)
         complaints.add({ErrorKind::input,
@@ -154,29 +150,26 @@ std::vector<JointDocument> joint_documents(const TomlDocument& document, Complai
                             table->key_place});
             break;
         }
-        JointDocument joint{name_of_joint(document, number, *table, complaints), {document.name, {}}};
-        const bool is_taken = std::any_of(joints.begin(), joints.end(),
-                                          [&](const JointDocument& other) { return other.name == joint.name; });
-        if (is_taken && !joint.name.empty())
+        std::string name = name_of_joint(document, number, *table, complaints);
+        if (!name.empty() && number_of(joints.names, name))
             complaints.add(
                 {ErrorKind::input,
-                 {"two joints are called \"" + base::visible(joint.name) + "\"", "", "Give each a name of its own."},
+                 {"two joints are called \"" + base::visible(name) + "\"", "", "Give each a name of its own."},
                  document.find(table_key(number) + ".name")->value_place});
-        for (const TomlEntry& entry : document.entries)
-            complaints.keep([&] {
-                auto own = entry_for(entry, number, joint.name);
-                if (own && is_misplaced(*own))
-                    complaints.add({ErrorKind::input,
-                                    {"unknown key " + own->key, "what presses and rubs has a section in each joint",
-                                     "Write it below [joint.contact] of this joint."},
-                                    own->key_place});
-                else if (own)
-                    joint.document.entries.push_back(std::move(*own));
-            });
-        drop_empty_table(joint.document, document);
-        joints.push_back(std::move(joint));
+        joints.names.push_back(std::move(name));
     }
-    check_names(document, joints, complaints);
+    for (const TomlEntry& entry : document.entries)
+        complaints.keep([&] {
+            auto own = renamed(entry, joints.names);
+            if (own && is_misplaced(*own))
+                complaints.add({ErrorKind::input,
+                                {"unknown key " + own->key, "what presses and rubs has a section in each joint",
+                                 "Write it below [joint.contact] of this joint."},
+                                own->key_place});
+            else if (own)
+                joints.document.entries.push_back(std::move(*own));
+        });
+    check_names(document, joints.names, complaints);
     return joints;
 }
 

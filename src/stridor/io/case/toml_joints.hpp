@@ -8,18 +8,19 @@
 
 namespace stridor::io {
 
-/// One joint of a file with `[[joint]]` tables: the file as it would be with this joint alone.
-struct JointDocument {
-    std::string name;
-    TomlDocument document;  // its keys are "joint.mass", "contact.preload"; places are those of the file
+/// A file with `[[joint]]` tables as if it had one joint: its keys are "joint.mass", "contact.preload". What is about
+/// one joint alone has the number of that (`TomlEntry::joint`). Places are those of the file.
+struct JointsDocument {
+    std::vector<std::string> names;
+    TomlDocument document;
 };
 
 /// Does a file list its joints, as `[[joint]]`?
 bool lists_joints(const TomlDocument& document);
 
-/// The joints of such a file in their order. An override of "joint.NAME.key" is that joint's; one of "joint.key" or
-/// "contact.key" is everyone's. Likewise a list "temperature.joint.NAME.key" and one of "temperature.key". Adds what is
-/// wrong with names and sections to the complaints.
-std::vector<JointDocument> joint_documents(const TomlDocument& document, Complaints& complaints);
+/// Takes such a file apart. An override of "joint.NAME.key" is that joint's; one of "joint.key" or "contact.key" is
+/// everyone's. So are a list "temperature.joint.NAME.key" and one of "temperature.key". Adds what is wrong with names
+/// and sections to the complaints.
+JointsDocument joints_document(const TomlDocument& document, Complaints& complaints);
 
 }  // namespace stridor::io

@@ -2,6 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -55,6 +56,20 @@ Error unknown(const TomlEntry& entry) {
             entry.key_place};
 }
 
+// does it stand in the table, and is no temperature?
+bool is_list(const TomlEntry& entry) {
+    return is_temperature_list(entry.key) && entry.key != nodes_key;
+}
+
+// a joint of which nothing follows the temperature has no table: other ones' may have taken all lists
+bool has_table(const DocumentView& view) {
+    const std::vector<TomlEntry>& all = view.document.entries;
+    return std::none_of(all.begin(), all.end(), [](const TomlEntry& entry) { return is_list(entry) && entry.joint; }) ||
+           std::any_of(all.begin(), all.end(), [&](const TomlEntry& entry) {
+               return is_list(entry) && view.has(entry) && !std::holds_alternative<TomlTable>(entry.value);
+           });
+}
+
 // what stands in a list, as text
 std::vector<std::string> items(const TomlEntry& entry) {
     if (const auto* texts = std::get_if<std::vector<std::string>>(&entry.value)) return *texts;
@@ -84,10 +99,10 @@ auto at_its_place(const TomlEntry& entry, Part&& part) {
 }
 
 // the lists of a document, the one that counts for each property
-std::vector<std::pair<const Field*, const TomlEntry*>> lists_of(const TomlDocument& document, Complaints& complaints) {
+std::vector<std::pair<const Field*, const TomlEntry*>> lists_of(const DocumentView& view, Complaints& complaints) {
     std::vector<std::pair<const Field*, const TomlEntry*>> lists;
-    for (const TomlEntry& entry : document.entries) {
-        if (!is_temperature_list(entry.key) || entry.key == nodes_key || opens_names(entry)) continue;
+    for (const TomlEntry& entry : view.document.entries) {
+        if (!view.has(entry) || !is_list(entry) || opens_names(entry)) continue;
         const Field* field = follower(entry);
         const auto known =
             std::find_if(lists.begin(), lists.end(), [&](const auto& list) { return list.first == field; });
@@ -117,19 +132,45 @@ bool has_temperature_list(const TomlDocument& document) {
                        [](const TomlEntry& entry) { return is_temperature_list(entry.key); });
 }
 
-const TomlEntry* find_temperature_list(const TomlDocument& document, std::string_view key) {
+const TomlEntry* find_temperature_list(const DocumentView& view, std::string_view key) {
     const TomlEntry* found = nullptr;
-    for (const TomlEntry& entry : document.entries)
-        if (is_temperature_list(entry.key) && follower(entry) == parameters::find_field(key)) found = &entry;
+    for (const TomlEntry& entry : view.document.entries)
+        if (view.has(entry) && is_temperature_list(entry.key) && follower(entry) == parameters::find_field(key))
+            found = &entry;
     return found;
 }
 
-std::vector<std::string> read_temperature_table(const TomlDocument& document, parameters::Case& c,
-                                                Complaints& complaints) {
+namespace {
+
+struct NamedList {
+    const Field* field;
+    const TomlEntry* entry;
+    std::optional<std::size_t> joint;
+};
+
+// of each joint its own and those of all; of the plate once
+std::vector<NamedList> lists_of_joints(const TomlDocument& document, std::size_t joints, Complaints& complaints) {
+    std::vector<NamedList> lists;
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+        if (!has_table({document, joint})) continue;
+        for (const auto& [field, entry] : lists_of({document, joint}, complaints)) {
+            const bool is_shared = !parameters::is_of_joint(*field);
+            const bool is_there = std::any_of(lists.begin(), lists.end(), [&, followed = field](const NamedList& list) {
+                return is_shared && list.field == followed;
+            });
+            if (!is_there) lists.push_back({field, entry, is_shared ? std::nullopt : std::optional(joint)});
+        }
+    }
+    return lists;
+}
+
+}  // namespace
+
+std::vector<Untold> read_temperature_table(const TomlDocument& document, parameters::Case& c, Complaints& complaints) {
     if (!has_temperature_list(document)) return {};
     Complaints own;
     const TomlEntry* nodes = document.find(nodes_key);
-    const auto lists = lists_of(document, own);
+    const std::vector<NamedList> lists = lists_of_joints(document, parameters::joint_count(c), own);
     std::vector<double> at;
     if (nodes == nullptr)
         own.add({ErrorKind::input,
@@ -139,20 +180,22 @@ std::vector<std::string> read_temperature_table(const TomlDocument& document, pa
     else
         own.keep([&] { at = at_its_place(*nodes, [&] { return parameters::read_temperature_nodes(items(*nodes)); }); });
     std::vector<TemperatureColumn> columns;
-    for (const auto& [field, entry] : lists)
-        own.keep([&, followed = field, list = entry] {
-            columns.push_back(
-                at_its_place(*list, [&] { return parameters::read_temperature_column(*followed, items(*list)); }));
-            if (!at.empty()) at_its_place(*list, [&] { parameters::check_length(columns.back(), at.size()); });
+    for (const NamedList& list : lists)
+        own.keep([&] {
+            columns.push_back(at_its_place(
+                *list.entry, [&] { return parameters::read_temperature_column(*list.field, items(*list.entry)); }));
+            if (!at.empty()) at_its_place(*list.entry, [&] { parameters::check_length(columns.back(), at.size()); });
+            if (list.joint && parameters::has_several_joints(c))
+                columns.back().key = parameters::key_of_joint(*list.field, c.joints[*list.joint].name);
         });
     if (own.empty())
         own.keep([&] {
             at_its_place(*nodes, [&] { parameters::set_temperature_table(c, std::move(at), std::move(columns)); });
         });
-    std::vector<std::string> unread;
+    std::vector<Untold> unread;
     if (complaints.keep([&] { own.throw_any(); })) return unread;
-    for (const auto& [field, entry] : lists)
-        unread.push_back(parameters::key_of(*field));
+    for (const NamedList& list : lists)
+        unread.push_back({parameters::key_of(*list.field), list.joint});
     return unread;
 }
 

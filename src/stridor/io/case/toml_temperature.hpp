@@ -4,6 +4,8 @@
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,11 +26,16 @@ bool is_temperature_list(std::string_view key);
 bool has_temperature_list(const TomlDocument& document);
 
 /// The list that a property follows; nullptr if it follows none.
-const TomlEntry* find_temperature_list(const TomlDocument& document, std::string_view key);
+const TomlEntry* find_temperature_list(const DocumentView& document, std::string_view key);
 
-/// Gives a case the table of its document, if that has one; complains of what is wrong with it. Returns the keys of the
-/// properties that are told of there but could not be read.
-std::vector<std::string> read_temperature_table(const TomlDocument& document, parameters::Case& c,
-                                                Complaints& complaints);
+/// A property of which something is not known: of one of several joints, or of what all share.
+struct Untold {
+    std::string key;                     // "joint.mass", "plate.damping"
+    std::optional<std::size_t> joint{};  // nothing: shared
+};
+
+/// Gives a case the table of its document, if that has one; complains of what is wrong with it. Returns the properties
+/// that are told of there but could not be read.
+std::vector<Untold> read_temperature_table(const TomlDocument& document, parameters::Case& c, Complaints& complaints);
 
 }  // namespace stridor::io

@@ -62,11 +62,11 @@ std::string quantity_text(double value, std::string_view unit) {
     return unit == "1" ? number : basic_string(number + " " + std::string(unit));
 }
 
-std::string value_of(const Case& c, const Field& field) {
-    if (parameters::damping_ratio(c, field)) return basic_string(parameters::value_text(c, field));
+std::string toml_value(parameters::CaseView at, const Field& field) {
+    if (parameters::damping_ratio(at, field)) return basic_string(parameters::value_text(at, field));
     if (const auto* quantity = std::get_if<Quantity>(&field.kind))
-        return quantity_text(quantity->get(c), quantity->unit);
-    return basic_string(parameters::value_text(c, field));
+        return quantity_text(quantity->get(at), quantity->unit);
+    return basic_string(parameters::value_text(at, field));
 }
 
 std::string range_text(const parameters::Range& range) {
@@ -158,11 +158,11 @@ std::string table_lines(const Case& c, const TomlOptions& options) {
 }
 
 // does a file of this case have a line for it, be it as a comment?
-bool has_line(const Case& c, const Field& field, const TomlOptions& options) {
-    if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) return false;
+bool has_line(parameters::CaseView at, const Field& field, const TomlOptions& options) {
+    if (parameters::temperature_column(at, field) != nullptr) return false;
     if (parameters::is_of_builder(field)) return false;  // said where the builder is
-    if (options.comments == Comments::full) return field.belongs(c) || !parameters::home_of(c, field).empty();
-    return field.belongs(c) && !parameters::goes_without_saying(c, field);
+    if (options.comments == Comments::full) return field.belongs(at) || !parameters::home_of(at, field).empty();
+    return field.belongs(at) && !parameters::goes_without_saying(at, field);
 }
 
 }  // namespace
@@ -177,29 +177,30 @@ std::string describe_values(const parameters::Field& field) {
     return "text";
 }
 
-std::string toml_line(const Case& c, const Field& field) {
-    const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(c, field).empty();
-    return std::string(field.name) + " = " + (is_unknown_file ? basic_string("velocity.csv") : value_of(c, field));
+std::string toml_line(parameters::CaseView at, const Field& field) {
+    const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(at, field).empty();
+    return std::string(field.name) + " = " + (is_unknown_file ? basic_string("velocity.csv") : toml_value(at, field));
 }
 
 namespace {
 
 enum class Sections { all, of_joint, but_joint };
 
-std::string section_lines(const Case& c, const TomlOptions& options, Sections sections, std::string text = {}) {
+std::string section_lines(parameters::CaseView at, const TomlOptions& options, Sections sections,
+                          std::string text = {}) {
     std::string_view section;
     for (const Field& field : parameters::fields()) {
         const bool is_of_joint = parameters::is_of_joint(field);
         const bool is_wanted =
             is_of_joint ? sections == Sections::of_joint : !field.section.empty() && sections == Sections::but_joint;
         if (sections != Sections::all && !is_wanted) continue;
-        if (!has_line(c, field, options)) continue;
-        const bool is_used = field.belongs(c);
+        if (!has_line(at, field, options)) continue;
+        const bool is_used = field.belongs(at);
         if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
-        if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(c, field));
-        text += (is_used ? "" : "#") + toml_line(c, field) + "\n";
-        if (section == "temperature") text += table_lines(c, options);
+        if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(at, field));
+        text += (is_used ? "" : "#") + toml_line(at, field) + "\n";
+        if (section == "temperature") text += table_lines(at.c, options);
     }
     return text;
 }
@@ -279,7 +280,7 @@ void replace_line(std::string& text, std::string_view line, std::string_view by)
 
 // [joint] and [contact] of one joint as [[joint]], with its name, and [joint.contact]
 std::string joint_table(const Case& c, std::size_t joint, const TomlOptions& options) {
-    std::string text = section_lines(parameters::alone(c, joint), options, Sections::of_joint);
+    std::string text = section_lines({c, joint}, options, Sections::of_joint);
     replace_line(text, "[joint]\n", "[[joint]]\nname = " + basic_string(parameters::joint_name(c, joint)) + "\n");
     replace_line(text, "\n[contact]\n", "\n[joint.contact]\n");
     return text;
@@ -294,7 +295,7 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
         if (!c.own_structure->recipe) text += contact_tables(*c.own_structure);
         return text + output_tables(*c.own_structure);
     }
-    if (c.further_joints.empty()) return section_lines(c, options, Sections::all, heading(options));
+    if (!parameters::has_several_joints(c)) return section_lines(c, options, Sections::all, heading(options));
     std::string text = heading(options);
     if (!c.title.empty()) text += toml_line(c, *parameters::find_field("title")) + "\n\n";
     for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)

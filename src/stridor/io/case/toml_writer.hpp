@@ -28,7 +28,7 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options = {}
 std::string study_toml(const sweep::Study& study, const TomlOptions& options = {});
 
 /// One key with a value as a file has it: "preload = "20 N"". A file's name that is not known yet is "velocity.csv".
-std::string toml_line(const parameters::Case& c, const parameters::Field& field);
+std::string toml_line(parameters::CaseView at, const parameters::Field& field);
 
 /// Which values a field takes, in words: "N, above 0", "\"rest\", \"stuck\" or \"sliding\"", "text".
 std::string describe_values(const parameters::Field& field);

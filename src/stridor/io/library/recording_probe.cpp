@@ -79,7 +79,7 @@ void take_case(Entry& entry, const Notes& note) {
     }
     noise_library::EntryFiller filler(entry);
     // of several joints that differ there is no one preload
-    if (parameters::has_one_value(c, "contact.preload")) filler.take("preload", c.contact.preload);
+    if (parameters::has_one_value(c, "contact.preload")) filler.take("preload", c.contact().preload);
     filler.take("velocity", noise_library::peak_velocity(c.drive));
     filler.take("velocity_profile", noise_library::profile_of(c.drive));
     for (const std::string& sentence : filler.notes(entry.file + " is a simulation; its case"))

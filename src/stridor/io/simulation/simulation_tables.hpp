@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 3> dof_sentences{
 /// names, then y_plate; of an own structure its rows.
 inline std::vector<std::string> dof_names(const parameters::Case& c) {
     if (c.own_structure) return c.own_structure->row;
-    if (c.further_joints.empty()) return {"x1", "y1", "y2"};
+    if (!parameters::has_several_joints(c)) return {"x1", "y1", "y2"};
     std::vector<std::string> names;
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
         for (const std::string_view direction : {"x_", "y_"})

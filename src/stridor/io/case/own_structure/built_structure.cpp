@@ -68,7 +68,7 @@ double quantity_in(const TomlSection& section, const BuilderKey& key) {
     const parameters::Field& field = field_of(key);
     const double value = section.quantity(key.name, parameters::unit_of(field), Bound::any);
     try {
-        parameters::expect_in_range({}, field, value);
+        parameters::expect_in_range(parameters::Case{}, field, value);
     } catch (const Error& error) {
         const TomlEntry& entry = section.need(key.name);
         throw located(error, entry.key, entry.value_place);
