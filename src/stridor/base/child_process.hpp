@@ -53,7 +53,8 @@ public:
     /// Path by which a confined process finds its file.
     static constexpr const char* file_path = "/proc/self/fd/4";
 
-    /// Begins the work, confined if there are `confines`. Throws `Error` (io) if the system can start no more processes.
+    /// Begins the work, confined if there are `confines`. Throws `Error` (io) if the system can start no more
+    /// processes.
     ChildProcess(const std::optional<Confines>& confines, const Work& work);
     /// Ends the process, finished or not.
     ~ChildProcess();

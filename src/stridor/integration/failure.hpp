@@ -14,7 +14,7 @@ namespace stridor::integration {
 /// Its kind is numerical, but input for a step beyond the limit and interrupted for a run that was stopped.
 std::optional<Error> failure(const parameters::Case& c, const Motion& motion);
 
-/// The same for a step beyond the stability limit, which is known before the run (`cost`).
+/// Returns the error of a step beyond the stability limit, which is known before the run (`cost`).
 Error beyond_step_limit(const parameters::Case& c);
 
 }  // namespace stridor::integration

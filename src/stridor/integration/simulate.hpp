@@ -32,7 +32,7 @@ struct Workspace {
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);
 
-/// The same without a workspace to share.
+/// Runs a case without a workspace to share.
 Motion simulate(const parameters::Case& c, const record::Request& request = {}, std::stop_token stop = {});
 
 }  // namespace stridor::integration

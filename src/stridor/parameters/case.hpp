@@ -199,7 +199,7 @@ struct CaseView {
     std::size_t joint;
 };
 
-/// The same of a case that is changed.
+/// A joint of a case of which fields are changed; a case by itself stands for its first joint.
 struct CaseToSet {
     CaseToSet(Case& of, std::size_t number = 0) : c(of), joint(number) {}
     operator CaseView() const { return {c, joint}; }

@@ -14,11 +14,12 @@ namespace stridor::parameters {
 /// for no key.
 const Field* field_of(std::string_view key);
 
-/// The full key that a name means, in any spelling of `field_named`; below a joint's name too: "joint.lip2.F" is
-/// "joint.lip2.contact.preload". Whether a case has that joint is not asked. Throws as `field_named` does.
+/// Returns the full key that a name means, in any spelling of `field_named`; below a joint's name too: "joint.lip2.F"
+/// is "joint.lip2.contact.preload". Whether a case has that joint is not asked. Throws as `field_named` does.
 std::string key_called(std::string_view name);
 
-/// The same, refusing what is no quantity.
+/// Returns the full key of the quantity that a name means. Throws `Error` (input) as `key_called` does, and for a field
+/// that is no quantity.
 std::string quantity_key_called(std::string_view name);
 
 /// Throws `Error` (input) without a place for a key of a joint that the case does not have.

@@ -56,7 +56,8 @@ struct Choice {
     std::span<const std::string_view> names;
     int (*get)(CaseView);
     void (*set)(CaseToSet, int index);
-    // a choice that came later goes without saying where it is the first: what was kept of a case stays its own
+    // `unless_first`: a later choice is left out of the canonical text if it is the first name, so that cases from
+    // before it keep their hash
     enum class Canonical { always, unless_first } canonical = Canonical::always;
 };
 
@@ -95,9 +96,9 @@ std::vector<std::string> quantity_keys();
 /// The key most like a misspelt one; empty if none is near.
 std::string nearest_key(std::string_view key);
 
-/// The unit of a quantity; "1" for a field without one, and for a key that is no field's.
+/// Returns the unit of a quantity; "1" for a field without one.
 std::string_view unit_of(const Field& field);
-/// The same by key, of a joint too ("joint.lip2.mass").
+/// Returns the unit of the quantity with that key, also of a joint ("joint.lip2.mass"); "1" for an unknown key.
 std::string_view unit_of(std::string_view key);
 
 /// One choice that gives a field a meaning: the field of it, and which of its names.
@@ -106,10 +107,11 @@ struct Home {
     std::string_view name;
 };
 
-/// The choices of which each alone would give a field a meaning in a case that is otherwise as this.
+/// Returns the choices of which each alone would give a field a meaning in a case that is otherwise as this.
 std::vector<Home> homes_of(CaseView at, const Field& field);
 
-/// The same in words: "drive.kind = "sinusoidal" or "sampled""; empty if none does (temperature.value).
+/// Returns these choices in words: "drive.kind = "sinusoidal" or "sampled""; empty if there are none
+/// (temperature.value).
 std::string home_of(CaseView at, const Field& field);
 
 /// Is its value the name of a file that is opened?

@@ -18,11 +18,12 @@ std::string_view short_name(const Field& field);
 /// where there are no others; none if it is unknown.
 std::vector<const Field*> fields_called(std::string_view name);
 
-/// The field a name means. Throws `Error` (input) without a place for a name that none has, with the most similar key,
-/// and for one that several have ("mass"), with their keys.
+/// Returns the field a name means. Throws `Error` (input) without a place for a name that none has, with the most
+/// similar key, and for one that several have ("mass"), with their keys.
 const Field& field_named(std::string_view name);
 
-/// The same, refusing fields that are no quantities.
+/// Returns the quantity a name means. Throws `Error` (input) as `field_named` does, and for a field that is no
+/// quantity.
 const Field& quantity_named(std::string_view name);
 
 /// The key or keys ("a or b") a misspelt name was meant to be: of its own section those that end alike, else the one

@@ -87,19 +87,21 @@ struct OwnStructure {
     std::optional<Recipe> recipe{};       // what a builder made it from; nothing: it was none
 };
 
-/// Is it pressed by contact.preload? Else by a load, or by gaps that are negative.
+/// Says whether contact.preload presses it; else a load or negative gaps do.
 bool is_preloaded(const OwnStructure& structure);
 
-/// A row without mass; nothing where all have one.
+/// Returns a row without mass; `std::nullopt` if all have one.
 std::optional<std::size_t> massless_row(const OwnStructure& structure);
 
-/// Do the contacts of a case move without inertia alone?
+/// Says whether only the contacts of a case move without inertia.
 bool is_without_inertia(const Case& c);
 
-/// A number of the recipe of a case's structure; nothing where no builder made it, or not from this.
+/// Returns the number for `key` in the recipe of a case's structure; null if no builder made it, or not from this
+/// number.
 const double* recipe_number(const Case& c, std::string_view key);
 
-/// Makes the structure of a case anew, with another number in its recipe; without one of that key it stays.
+/// Builds the structure of a case again with another number for `key` in its recipe. Does nothing if the recipe lacks
+/// the key.
 void rebuild(Case& c, std::string_view key, double value);
 
 /// What changes a result, as a hash: the same for equal numbers, whatever file they came from.

@@ -46,13 +46,13 @@ void check_length(const TemperatureColumn& column, std::size_t nodes);
 /// columns, and for two columns of one quantity.
 void set_temperature_table(Case& c, std::vector<double> at, std::vector<TemperatureColumn> columns);
 
-/// Makes the properties that follow the temperature what they are at the present one, of each joint; dampings that are
-/// shares of critical are not yet numbers then (`keep_damping_ratios`).
+/// Sets the properties that follow the temperature, of each joint, to their values at the present one. Dampings that
+/// are given as shares of critical follow later (`keep_damping_ratios`).
 void keep_temperature_table(Case& c);
 
-/// The nodes as a user would write them: "-30 degC".
+/// Returns the nodes as a user would write them: "-30 degC".
 std::vector<std::string> node_texts(const Case& c);
-/// Likewise the values of a column: "60000 N/m", "damping ratio 0.15".
+/// Returns the values of a column as a user would write them: "60000 N/m", "damping ratio 0.15".
 std::vector<std::string> value_texts(const TemperatureColumn& column);
 
 }  // namespace stridor::parameters

@@ -33,7 +33,7 @@ struct Exact {
 /// throws.
 Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                        const Exact& settings, record::Recorder recorder, std::stop_token stop, SharedFlows& shared);
-/// The same for one run.
+/// Integrates one run that shares nothing.
 Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                        const Exact& settings, record::Recorder recorder, std::stop_token stop = {});
 

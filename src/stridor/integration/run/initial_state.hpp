@@ -25,8 +25,8 @@ struct InitialState {
 /// sliding has no direction; numerical where some contact has no N > 0.
 InitialState initial_state(const model::Structure& structure, const Start& start, double surface_velocity);
 
-/// The same for a case with a structure of the user's own, `model::structure_of`: it rests where its displacements are
-/// zero, and what it says of its start is added.
+/// Returns the displacement and velocity at t = 0 for a case with a structure of the user's own, `model::structure_of`.
+/// It rests where its displacements are zero; the start that it states is added. Throws as above.
 InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity);
 
 }  // namespace stridor::integration

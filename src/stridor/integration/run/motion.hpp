@@ -86,7 +86,7 @@ struct LimitCycle {
     int events = 0;         // [1] changes of contact state or of the slip's direction, and impacts, per period
 };
 
-/// The same run with contacts that have no inertia, to compare.
+/// The run of the same case with contacts that have no inertia, to compare.
 struct MasslessTwin {
     Outcome outcome;
     std::vector<record::Tally> phases;

@@ -17,8 +17,9 @@ inline constexpr double no_polynomial = -1.0;
 /// Certain: Bernstein's form bounds the polynomial on each part of the interval. Source: as `exact/event_root`.
 double first_zero(std::span<const double> c, int dropped, double reach);
 
-/// The same of a function whose first coefficients are zero but for rounding, which is `zero` in each of them: the
-/// first coefficient above it decides. If that is negative, a place up to which its term stays within `zero`.
+/// Returns the first place in (0, reach] at which a function stops being positive whose first coefficients are zero but
+/// for rounding, which is `zero` in each of them: the first coefficient above it decides. If that is negative, returns
+/// a place up to which its term stays within `zero`.
 double late_zero(std::span<const double> c, double zero, double reach);
 
 /// Value of a polynomial at x.

@@ -50,10 +50,10 @@ enum class Settled {
 ///
 /// 1. Gaps that close: impulses of all touching contacts at once (`contact_impulses`).
 /// 2. Forces and accelerations: each event function must begin positive, that is its first coefficient which is not
-///    zero. The worst violated contact, of the lowest order, changes; a limit of friction once broken is that of the
-///    slip until the others have changed, too: then it sticks once more if it can. From 1 again if a gap closes.
-///    Single changes run in a circle where a contact that stuck would be pulled open and one that was open would fall:
-///    then all sets are tried, those with the fewest changes first.
+///    zero. The worst violated contact, of the lowest order, changes. A contact that broke its limit of friction is
+///    held against the limit of the slip until the others have changed, too; then it sticks again if it can. From 1
+///    again if a gap closes. Single changes run in a circle where a contact that stuck would be pulled open and one
+///    that was open would fall: then all sets are tried, those with the fewest changes first.
 /// 3. Flights that begin and slips which would end within a millionth of a block are ended at once: pile-ups of impacts
 ///    have a limit, and this is it. Where no forces belong to it they go on.
 class Settling {

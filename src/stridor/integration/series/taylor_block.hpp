@@ -53,16 +53,16 @@ public:
     BlockSeries gap(std::size_t contact) const;
     BlockSeries slip_velocity(std::size_t contact) const;
 
-    /// What rounding works on, in each of the others: the sum of the terms' sizes.
+    /// Returns the sum of the terms' sizes, which rounding works on: of the force, of the slip velocity.
     double force_scale(std::size_t contact) const;
     double velocity_scale(std::size_t contact) const;
 
-    /// The same in what accelerations change the slip velocity over a block [m/s]: without those by contact forces, of
-    /// any set the same, and with them.
+    /// Returns the sum of the terms' sizes in the change of the slip velocity over a block [m/s]: of free motion, which
+    /// is the same for every set, and of the whole.
     double free_change_scale(std::size_t contact) const;
     double velocity_change_scale(std::size_t contact) const;
 
-    /// The same in what accelerations, those by contact forces too, change the gap over a block [m].
+    /// Returns the sum of the terms' sizes in the change of the gap over a block [m], contact forces included.
     double gap_change_scale(std::size_t contact) const;
 
     /// State at a place in [0, 1]; shape [mode].

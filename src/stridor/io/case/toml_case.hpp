@@ -26,7 +26,7 @@ struct CaseReaders {
     StructureReader structure = read_own_structure;
 };
 
-/// For a document of somebody who may name no files: a structure whose numbers stand in it.
+/// Returns readers for a document whose user may name no files: the numbers of its structure stand in it.
 CaseReaders readers_without_files();
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
@@ -44,10 +44,10 @@ CaseReaders readers_without_files();
 /// neither [joint] nor [plate]; the files that this names are opened.
 parameters::Case read_case(const TomlSource& source);
 
-/// The same of a document that is parsed already.
+/// Reads a case from a document that is parsed already. Throws as above.
 parameters::Case read_case(const TomlDocument& document, const CaseReaders& readers = {});
 
-/// The same from a file; "-" is standard input.
+/// Reads a case from a file; "-" is standard input. Throws as above, and `Error` (io) for a file that cannot be read.
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to

@@ -11,8 +11,8 @@
 /// Which keys a case may have, must have, and has for nothing. The values stand in `toml_case`.
 namespace stridor::io {
 
-/// Complains of unknown sections and keys, and of sections that are values. Returns the keys that were meant by what is
-/// misspelt: nobody needs to hear that they are missing.
+/// Complains of unknown sections and keys, and of sections that are values. Returns the keys that misspelt ones stand
+/// for, so that these are not called missing, too.
 std::vector<std::string> check_known(const DocumentView& view, Complaints& complaints);
 
 /// Complains of what must be there for this case and is not, apart from keys that are there and could not be read.

@@ -81,7 +81,7 @@ std::vector<std::string> listed(std::string text);
 /// "a number", "text", "a list", "a list of numbers", "a matrix", "a section" or the name of an unfit type.
 std::string_view type_name(const TomlValue& value);
 
-/// The same error about a key that stands somewhere; the key is named if the error does not name it.
+/// Returns the error with the place of a key, and with its name if the error does not name it.
 Error located(const Error& error, std::string_view key, const base::Place& place);
 
 }  // namespace stridor::io

@@ -43,8 +43,8 @@ struct ChartExports {
     std::string left_out;                    // content left out because the chart is large, a sentence; empty: none
 };
 
-/// Returns what is written of a chart of this study. Usual are the usual files with all figures; of a chart of more than
-/// `many_cells` those that are not for few, with the figures that are drawn.
+/// Returns what is written of a chart of this study. Usual are the usual files with all figures; of a chart of more
+/// than `many_cells` those that are not for few, with the figures that are drawn.
 ///
 /// Throws `Error` (input) for an unknown name.
 ChartExports chart_exports(const sweep::Study& study, const ExportTexts& texts);

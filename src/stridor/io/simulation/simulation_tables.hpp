@@ -35,8 +35,8 @@ inline std::vector<std::string> dof_names(const parameters::Case& c) {
     return names;
 }
 
-/// The same, with the outputs of an own structure where they are in the record, or u1, u2, ... where it is of another
-/// structure.
+/// Returns names of `count` degrees of freedom: with the outputs of an own structure if they are in the record, and u1,
+/// u2, ... if it is that of another structure.
 inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t count) {
     std::vector<std::string> names = dof_names(c);
     if (names.size() == count) return names;

@@ -31,13 +31,13 @@ struct HearingReport {
 /// sounds yet. Throws `Error` (input) for an override that does not fit.
 std::vector<HeardChart> built_in_charts(std::string_view set, const std::vector<std::string>& overrides);
 
-/// The sounds of all charts, one chart after the other, counted by their indices within each.
+/// Counts the sounds of all charts, one chart after the other, by their indices within each.
 classification::Confusion confusion(const HearingReport& report, hearing::Half half = hearing::Half::both);
 
-/// The same of perturbed sounds: those of one perturbation, or of all.
+/// Counts perturbed sounds of all charts: those of one perturbation, or of all if none is given.
 classification::Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation);
 
-/// The same of the charts of one set.
+/// Counts the sounds of the charts of one set.
 classification::Confusion confusion(const HearingReport& report, sweep::PlaneSet set);
 
 /// The sets that the report has charts of, in the order of `sweep::PlaneSet`.

@@ -23,13 +23,14 @@ struct SoundLookup {
     std::function<void(const base::Complaint&)> warn = [](const base::Complaint&) { /* of a case or a chart */ };
 };
 
-/// The sound that such a text names; of files only what tells their rate is read. A file that is there by the whole
-/// name is that file.
+/// Returns the sound that such a text names; of files only what tells their rate is read. A file that is there by the
+/// whole name is that file.
 ///
 /// Throws `Error`: input for what names nothing that can be heard, and what opening files and the library throws.
 hearing::NamedSound named_sound(const std::string& text, const SoundLookup& lookup);
 
-/// The same for a recording or an entry of the library alone. Throws `Error` (input) for a case or a chart.
+/// Returns the sound of a recording or of an entry of the library. Throws `Error` (input) for a case or a chart, and as
+/// `named_sound` does.
 hearing::NamedSound named_recording(const std::string& text, const SoundLookup& lookup);
 
 }  // namespace stridor::io

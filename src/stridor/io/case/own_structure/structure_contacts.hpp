@@ -42,7 +42,7 @@ struct NamedContact {
 };
 
 /// Reads a contact field by field. A source has for each kind of value a function that takes the field and gives the
-/// value, or nothing where it does not stand there: `text`, `number`, `direction`, `position`.
+/// value, or `std::nullopt` if the source has none: `text`, `number`, `direction`, `position`.
 template <typename Source>
 NamedContact named_contact(const Source& source, const base::Place& place) {
     NamedContact named{.node = source.text("node").value_or(""),

@@ -19,10 +19,10 @@ class TomlSection {
 public:
     TomlSection(const TomlDocument& document, std::string prefix) : document_(&document), prefix_(std::move(prefix)) {}
 
-    /// The entry that decides a key; nothing if it is not there.
+    /// Returns the entry that decides a key; null if there is none.
     const TomlEntry* find(std::string_view name) const { return document_->find(prefix_ + std::string(name)); }
     bool has(std::string_view name) const { return find(name) != nullptr; }
-    /// The same, refused where it is not there.
+    /// Returns the entry that decides a key. Throws `Error` (input) if there is none.
     const TomlEntry& need(std::string_view name) const;
 
     /// A number or text with a unit, in `unit`.

@@ -39,7 +39,8 @@ std::shared_ptr<const parameters::OwnStructure> read_own_structure(const TomlDoc
 /// `Error` (input) where a case has none.
 NamedPart part_of_case(const TomlDocument& document);
 
-/// The same of a document whose user may name no files: throws `Error` (input) for one that it would open.
+/// Reads the structure of a document whose user may name no files. Throws `Error` (input) as above, and for a file that
+/// it would open.
 std::shared_ptr<const parameters::OwnStructure> read_enclosed_structure(const TomlDocument& document);
 
 }  // namespace stridor::io
