@@ -2,6 +2,7 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
+#include "stridor/integration/exact/flow.hpp"
 #include "stridor/integration/proofs/sliding_growth.hpp"
 #include "stridor/integration/run/imposed_motion.hpp"
 #include "stridor/integration/run/initial_state.hpp"
@@ -18,6 +19,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -45,8 +47,9 @@ Motion run_joint(const parameters::Case& c, const model::Structure& structure, c
         };
         return run_twice(run, c.run.step, structure, std::move(recorder));
     }
+    if (!workspace.flows) workspace.flows = std::make_shared<SharedFlows>();
     return integrate_exact(structure, c.drive, start, {c.run.early_ending, workspace.instruction_set},
-                           std::move(recorder), std::move(stop), workspace.flows);
+                           std::move(recorder), std::move(stop), *workspace.flows);
 }
 
 // by the engines that take structures of any size with any number of contacts

@@ -1,14 +1,17 @@
 #pragma once
 
-#include "stridor/integration/exact/flow.hpp"
+#include "stridor/integration/kernels/instruction_set.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 
+#include <memory>
 #include <stop_token>
 
 namespace stridor::integration {
+
+struct SharedFlows;
 
 /// What a run costs and the limits it must keep, known before it starts.
 struct Cost {
@@ -22,7 +25,7 @@ Cost cost(const parameters::Case& c);
 
 /// What runs of many cases, one after the other, may share: it saves time and changes nothing.
 struct Workspace {
-    SharedFlows flows;
+    std::shared_ptr<SharedFlows> flows;                         // of the exact engine; its first run makes them
     InstructionSet instruction_set = widest_instruction_set();  // of the exact engine's loops
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "stridor/integration/exact/flow.hpp"
-#include "stridor/integration/kernels/exact_kernel.hpp"
+#include "stridor/integration/kernels/instruction_set.hpp"
 #include "stridor/integration/run/initial_state.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/model/structure.hpp"
@@ -10,6 +9,8 @@
 #include <stop_token>
 
 namespace stridor::integration {
+
+struct SharedFlows;
 
 /// Settings of the exact engine.
 struct Exact {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/exact/exact.hpp"
+#include "stridor/integration/exact/flow.hpp"
 #include "stridor/integration/exact/logbook.hpp"
 #include "stridor/integration/run/event_loop.hpp"
 #include "stridor/integration/run/imposed_motion.hpp"
