@@ -11,10 +11,12 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/cell.hpp"
 
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -63,6 +65,29 @@ std::string to_toml(const CaseHandle& c, bool comments) {
     return io::case_toml(*c.of, {.comments = comments ? io::Comments::full : io::Comments::none, .heading = ""});
 }
 
+// what a key of a document takes; None opens a table
+io::TomlValue toml_value(const py::handle& value) {
+    if (value.is_none()) return io::TomlTable{};
+    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+    if (py::isinstance<py::list>(value)) return value.cast<std::vector<std::string>>();
+    if (!py::isinstance<py::array>(value)) return value.cast<double>();
+    const auto numbers = value.cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
+    const std::vector<double> all(numbers.data(), numbers.data() + numbers.size());
+    if (numbers.ndim() != 2) return all;
+    io::TomlRows rows;
+    for (py::ssize_t row = 0; row < numbers.shape(0); ++row)
+        rows.emplace_back(numbers.data(row, 0), numbers.data(row, 0) + numbers.shape(1));
+    return rows;
+}
+
+// the entries of a document that nobody has written
+CaseHandle from_entries(const std::vector<std::pair<std::string, py::object>>& entries) {
+    io::TomlDocument document{"the case", {}};
+    for (const auto& [key, value] : entries)
+        document.entries.push_back({key, toml_value(value), io::TomlOrigin::file, {}, {}});
+    return handle(io::read_case(document));
+}
+
 // a warning for each key that the file has for nothing
 std::vector<std::string> warnings(const std::string& path) {
     std::vector<std::string> texts;
@@ -101,7 +126,7 @@ CaseHandle changed(const CaseHandle& handle_of,
 
 std::vector<std::string> joint_names(const CaseHandle& handle) {
     std::vector<std::string> names;
-    for (std::size_t joint = 0; parameters::has_several_joints(*handle.of) && joint < joint_count(*handle.of); ++joint)
+    for (std::size_t joint = 0; parameters::has_several_joints(*handle.of) && joint < handle.of->joints.size(); ++joint)
         names.push_back(parameters::joint_name(*handle.of, joint));
     return names;
 }
@@ -171,6 +196,13 @@ void bind_case(py::module_& module) {
     module.def("ready_names", &ready_names);
     module.def("read", &read, py::arg("path"));
     module.def("warnings", &warnings, py::arg("path"));
+    module.def("from_entries", &from_entries, py::arg("entries"));
+    module.def("contact_units", [] {
+        py::dict units;
+        for (const parameters::ContactField& field : parameters::contact_fields())
+            units[py::str(std::string(field.key))] = field.unit == "1" ? std::string_view() : field.unit;
+        return units;
+    });
     module.def("from_toml", &from_toml, py::arg("text"), py::arg("name"));
     module.def(
         "unpacked", [](const std::string& bytes) { return handle(io::unpacked_case(bytes)); }, py::arg("bytes"));

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import json
-import pathlib
-from decimal import Decimal
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _stridor
 from ._case import Case
-from ._given import bare, files, items_of, plain, temporary_folder, whole_text
+from ._given import bare, items_of, plain, whole_text
 from ._optional import needed
 from .errors import Error, InputError
 
@@ -19,7 +15,8 @@ __all__ = ["structure"]
 _most_rows = 2000  # [1] of a structure: what the engines take
 # in which arrays are taken; of all others without one
 _units = {"mass": "kg", "stiffness": "N/m", "damping": "N*s/m", "load": "N", "initial_displacement": "m",
-          "initial_gap": "m", "position": "m", "rayleigh_mass": "1/s", "rayleigh_stiffness": "s"}
+          "rayleigh_mass": "1/s", "rayleigh_stiffness": "s", **_stridor.contact_units()}
+_Entries = List[Tuple[str, Any]]  # key and value of a case's document; None opens a table
 
 
 def structure(
@@ -88,47 +85,28 @@ def structure(
     >>> stridor.simulate(block).whole.category
     'none'
     """
-    with temporary_folder() as folder, files("write the structure into a temporary folder"):
-        here = pathlib.Path(folder)
-        lines = [f"title = {_quoted(title)}", *_value_lines(values), "[structure]", 'contacts = "contacts.csv"']
-        for name, matrix in (("mass", mass), ("stiffness", stiffness), ("damping", damping)):
-            if matrix is not None:
-                _write_matrix(here / f"{name}.csv", name, matrix)
-                lines.append(f'{name} = "{name}.csv"')
-        if len(rows):
-            lines.append("rows = [" + ", ".join(_quoted(str(row)) for row in rows) + "]")
-        numbers = {"damping_ratio": damping_ratio, "loss_factor": loss_factor, "rayleigh_mass": rayleigh_mass,
-                   "rayleigh_stiffness": rayleigh_stiffness}
-        lines += [f"{name} = {_number(name, number)}" for name, number in numbers.items() if number is not None]
-        lists = {"load": load, "force": force, "initial_displacement": initial_displacement,
-                 "initial_velocity": initial_velocity}
-        lines += [f"{name} = {_list(name, list_of)}" for name, list_of in lists.items() if list_of is not None]
-        for name, direction in items_of("directions by name", {} if outputs is None else outputs):
-            text = _quoted(direction) if isinstance(direction, str) else _list(f"output {name}", direction)
-            lines += ["[[structure.output]]", f"name = {_quoted(name)}", f"direction = {text}"]
-        _write_contacts(here / "contacts.csv", contacts)
-        (here / "case.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
-        try:
-            return Case._of(_stridor.read(str(here / "case.toml")))
-        except Error as error:
-            raise _without_place(error) from None
+    entries: _Entries = [("title", whole_text(title)), *_values(values), ("structure", None)]
+    for name, matrix in (("mass", mass), ("stiffness", stiffness), ("damping", damping)):
+        if matrix is not None:
+            entries.append((f"structure.{name}", _matrix(name, matrix)))
+    if len(rows):
+        entries.append(("structure.rows", [whole_text(str(row)) for row in rows]))
+    numbers = {"damping_ratio": damping_ratio, "loss_factor": loss_factor, "rayleigh_mass": rayleigh_mass,
+               "rayleigh_stiffness": rayleigh_stiffness}
+    entries += [(f"structure.{name}", _number(name, number)) for name, number in numbers.items() if number is not None]
+    lists = {"load": load, "force": force, "initial_displacement": initial_displacement,
+             "initial_velocity": initial_velocity}
+    entries += [(f"structure.{name}", _list(name, list_of)) for name, list_of in lists.items() if list_of is not None]
+    entries += _outputs({} if outputs is None else outputs) + _contacts(contacts)
+    try:
+        return Case._of(_stridor.from_entries(entries))
+    except Error as error:
+        raise _without_place(error) from None
 
 
-def _quoted(text: str) -> str:
-    """As TOML has it."""
-    return json.dumps(whole_text(text), ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-def _value_lines(values: Mapping[str, object]) -> List[str]:
-    lines = []
-    for name, value in items_of("values by key", values):
-        key, given = _stridor.key_called(whole_text(str(name))), plain(value)
-        unit = _stridor.unit_of(key)
-        if isinstance(given, str):
-            lines.append(f"{key} = {_quoted(given)}")
-        else:
-            lines.append(f'{key} = "{given!r} {unit}"' if unit not in ("", "1") else f"{key} = {given!r}")
-    return lines
+def _values(values: Mapping[str, object]) -> _Entries:
+    return [(_stridor.key_called(whole_text(str(name))), plain(value))
+            for name, value in items_of("values by key", values)]
 
 
 def _array(what: str, numbers: Any) -> Any:
@@ -148,7 +126,7 @@ def _array(what: str, numbers: Any) -> Any:
     return made.astype(float)
 
 
-def _write_matrix(path: pathlib.Path, name: str, matrix: Any) -> None:
+def _matrix(name: str, matrix: Any) -> Any:
     matrix = bare(name, matrix, _units[name])
     shape = getattr(matrix, "shape", None)
     if shape is not None and len(shape) == 2 and max(shape) > _most_rows:
@@ -158,25 +136,30 @@ def _write_matrix(path: pathlib.Path, name: str, matrix: Any) -> None:
     if array.ndim != 2 or array.shape[0] != array.shape[1] or not array.size:
         raise InputError(f"{name} has the shape {' x '.join(map(str, array.shape)) or 'of a number'} "
                          "(a matrix of a structure is square)")
-    with open(path, "w", encoding="ascii") as file:
-        for row in array.tolist():
-            file.write(",".join(map(repr, row)) + "\n")
+    return array
 
 
-def _write_contacts(path: pathlib.Path, contacts: Sequence[Mapping[str, Any]]) -> None:
-    keys: Dict[str, None] = {"name": None, "normal": None, "tangent": None}
-    for contact in contacts:
+def _outputs(outputs: Mapping[str, Any]) -> _Entries:
+    entries: _Entries = [("structure.output", None)]
+    for number, (name, direction) in enumerate(items_of("directions by name", outputs), 1):
+        table = f"structure.output.{number}"
+        given = whole_text(direction) if isinstance(direction, str) else _list(f"output {name}", direction)
+        entries += [(table, None), (f"{table}.name", whole_text(name)), (f"{table}.direction", given)]
+    return entries if len(entries) > 1 else []
+
+
+def _contacts(contacts: Sequence[Mapping[str, Any]]) -> _Entries:
+    entries: _Entries = [("structure.contact", None)]
+    for number, contact in enumerate(contacts, 1):
         if not isinstance(contact, Mapping):
             raise InputError(f"{contact!r} is no contact. Write it as {{'name': ..., 'normal': ..., 'tangent': ...}}.")
-        keys.update(dict.fromkeys(map(str, contact)))
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(keys)
-        for contact in contacts:
-            table.writerow([_cell(key, contact.get(key, "")) for key in keys])
+        table = f"structure.contact.{number}"
+        entries += [(table, None), *((f"{table}.{whole_text(str(key))}", _of_contact(str(key), value))
+                                     for key, value in contact.items() if not isinstance(value, str) or value)]
+    return entries
 
 
-def _cell(key: str, value: Any) -> str:
+def _of_contact(key: str, value: Any) -> Any:
     if isinstance(value, str):
         return whole_text(value)
     array = _array(key, value)
@@ -184,29 +167,23 @@ def _cell(key: str, value: Any) -> str:
         array = array.ravel()
     if array.ndim > 1:
         raise InputError(f"{key} of a contact has the shape {array.shape} (it has one number for each row)")
-    return " ".join(map(repr, array.ravel().tolist()))
+    return array if array.size > 1 else float(array.ravel()[0]) if array.size else array
 
 
-def _number(name: str, number: Union[float, str]) -> str:
+def _number(name: str, number: Union[float, str]) -> float:
     array = _array(name, number)
     if array.ndim:
         raise InputError(f"{name} is no number")
-    return _without_point(float(array))
+    return float(array)
 
 
-def _list(name: str, numbers: Any) -> str:
+def _list(name: str, numbers: Any) -> Any:
     array = _array(name, numbers)
     if array.ndim != 1:
         raise InputError(f"{name} has the shape {array.shape} (it has one number for each row)")
-    return "[" + ", ".join(map(_without_point, array.tolist())) + "]"
-
-
-def _without_point(number: float) -> str:
-    """The same number with an exponent: a case file has room for few points."""
-    sign, digits, exponent = Decimal(repr(number)).as_tuple()
-    return f"{'-' * sign}{''.join(map(str, digits))}e{exponent}"
+    return array
 
 
 def _without_place(error: Error) -> Error:
-    """The same of a file that is gone."""
+    """An error of what stands in no file."""
     return error._saying([(what, why, suggestion, None) for what, why, suggestion, _ in error.complaints])

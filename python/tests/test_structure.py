@@ -170,3 +170,35 @@ def test_broken_pickles_are_refused(broken):
     for packed in (broken, whole[:-1], whole[: len(whole) // 2], whole + b"x"):
         with pytest.raises((stridor.InputError, TypeError)):
             _unpickled(packed)
+
+
+# what version 0.1.0 made before its bytes had the keys of contacts in them, compressed
+FIRST_FORM = """
+    eNqNVDFv00AUToGhugEJiSGj5Z3USZrSDiidUAdALJ2qyLqen9Mj9tm9O6e0v4C/ABsj8AuYyooEEgIxIiGxMoSNgYF3l7Np3TjhLef3vXvv3vfu
+    O99szU1pyaNMdhhVsNHdvz5HNdcJePc8P4s9fQRezKXSXpzJ1CfkAHMKpgsJIyKzE4X7DkZEaR7HApQKFaM2uUsimuZcjC8g5IBlQlOmRySXkGQ0
+    MqcMvEc+FqCaszCWnGmeCcSDzjaZcAFX4D7haY5FTG6eUDyamb4iyafYE6bYqngS1hTaJ1M8iXF9atCgE/S8dEOZBFmIEYkKSV1lv+shfoL52Unl
+    csE1p4nxJSisBmKMTRk/zSTQAhEqk9MQRIRkbU8ym4IwlCC3deDOlmdPnIKMuGGPnUltyQzIccFBhyrhuQV2tgnDupPQ8JpY6C5JAGmGODJcwYy8
+    T9RxATRBbFwkVM7pmZE5/BCoVnbo1cYcR1kNcWdQBmIJ+CGYnU8v8PbOfHceFxrklCamzhbBIU5CFAGzdxm4PRE3U7ZYDxn+U0envOoRETS1A9M8
+    94lAGdl5omowcwxCOwkBZkShvcZQHVEJttHeYKE2dhq0EVy2zVJoVcUeqZ/Qr9lKGhksoeEEE45p7gQXdD18OK2arV/yZsPb7iul+CYZXrJ7fOZp
+    7rnYi+fG3g5bDTaPv2+Mz/l9Ge5dBJ/83rXrsx/vLm1G/81rtPuz3dYye/Ctirv/R2vNrU/Lj9Py46ykfcvay+H60rGs9lfZtVprqMH2wo2zamrt
+    Bnxx/Gqdeos33ArRGMrYxw/GflZ7N93N1HJ3S3/f2tda/NOwvVQZ388r2hksprWK9uy8Sbh/Xv36/PDwcaPY1lcIvukm12pjw/+M+N/e/gLza2UG
+"""
+
+
+def test_pickles_of_the_first_form_are_read():
+    import base64
+    import zlib
+
+    from stridor._case import _unpickled
+
+    tip = {"name": "tip", "normal": [0, 1, 0], "tangent": [1, 0, 0], "second_tangent": [0, 0, 1],
+           "second_drive_share": 0.25, "static_friction": 0.9, "kinetic_friction": 0.1 + 0.2, "preload_share": 2,
+           "drive_share": 1 / 3, "interface": "edge", "position": [0.1, 0, -0.5]}
+    toe = {"name": "toe", "normal": [1, 1, 0], "tangent": [1, -1, 0], "initial_gap": 1e-3, "preload_share": 0}
+    case = stridor.structure(
+        rows=["x", "y", "z"], mass=numpy.diag([0.1, 0.2, 0.3]), damping_ratio=0.1 / 3, contacts=[tip, toe],
+        stiffness=[[1e5, -4e4, 0], [-4e4, 2e5 / 3, 0], [0, 0, 3e4]], outputs={"lean": [1, -1, 0]},
+        title="of the first form", values={**VALUES, "run.engine": "moreau"})
+    old = _unpickled(zlib.decompress(base64.b64decode(FIRST_FORM)))
+    assert old == case and old.to_toml() == case.to_toml()
+    assert pickle.loads(pickle.dumps(old)) == case

@@ -43,7 +43,7 @@ std::vector<std::size_t> joints_of(const Case& c, std::string_view key) {
     std::vector<std::size_t> all{0};
     const Field* field = field_of(key);
     if (field != nullptr && is_of_joint(*field))
-        for (std::size_t joint = 1; joint < joint_count(c); ++joint)
+        for (std::size_t joint = 1; joint < c.joints.size(); ++joint)
             all.push_back(joint);
     return all;
 }
@@ -127,15 +127,21 @@ bool overlap(const Case& c, std::string_view a, std::string_view b) {
     return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
 }
 
-std::vector<std::string> keys_of(const Case& c) {
+std::vector<FieldOfCase> fields_of(const Case& c) {
     const bool has_several = has_several_joints(c);
-    std::vector<std::string> keys;
-    for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
+    std::vector<FieldOfCase> all;
+    for (std::size_t joint = 0; has_several && joint < c.joints.size(); ++joint)
         for (const Field& field : fields())
-            if (is_of_joint(field) && field.belongs({c, joint}))
-                keys.push_back(key_of_joint(field, joint_name(c, joint)));
+            if (is_of_joint(field)) all.push_back({field, {c, joint}, key_of_joint(field, joint_name(c, joint))});
     for (const Field& field : fields())
-        if (field.belongs(c) && !(has_several && is_of_joint(field))) keys.push_back(key_of(field));
+        if (!has_several || !is_of_joint(field)) all.push_back({field, c, key_of(field)});
+    return all;
+}
+
+std::vector<std::string> keys_of(const Case& c) {
+    std::vector<std::string> keys;
+    for (const auto& [field, at, key] : fields_of(c))
+        if (field.belongs(at)) keys.push_back(key);
     return keys;
 }
 

@@ -32,6 +32,16 @@ std::vector<std::string> single_keys(const Case& c, std::string_view key);
 /// Do two keys set something in common?
 bool overlap(const Case& c, std::string_view a, std::string_view b);
 
+/// A field as a case has it: each of several joints has its own.
+struct FieldOfCase {
+    const Field& field;
+    CaseView at;
+    std::string key;  // "joint.lip2.contact.preload"
+};
+
+/// All fields of a case, whether they mean anything for it or not: joint by joint, then those that are shared.
+std::vector<FieldOfCase> fields_of(const Case& c);
+
 /// Keys of what belongs to a case, each of several joints with its own.
 std::vector<std::string> keys_of(const Case& c);
 /// Of these the quantities.

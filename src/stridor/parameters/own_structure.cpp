@@ -134,6 +134,10 @@ std::vector<double> places_along_line(const OwnStructure& structure) {
     return places;
 }
 
+bool has_given_structure(const Case& c) {
+    return c.own_structure && !c.own_structure->recipe;
+}
+
 std::size_t contact_count(const Case& c) {
     return c.own_structure ? c.own_structure->contacts.size() : joint_count(c);
 }

@@ -117,6 +117,9 @@ std::vector<std::vector<double>> output_weights(const OwnStructure& structure);
 /// of the box around all. Empty where a position is not known, or all are one; shape [contact].
 std::vector<double> places_along_line(const OwnStructure& structure);
 
+/// Has it a structure that no builder makes? Its matrices cannot be changed by keys.
+bool has_given_structure(const Case& c);
+
 /// Contacts of any case.
 std::size_t contact_count(const Case& c);
 

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace stridor::report {
@@ -260,66 +259,23 @@ std::vector<Section> advice_sections(const advice::Advice& advice) {
     return {std::move(margins), std::move(changes)};
 }
 
-// a line of a case file, and beside it what the field is
-std::string explained(const std::string& line, const parameters::Field& field) {
-    constexpr std::size_t column = 36;  // where comments begin
-    const std::string sentence(field.sentence);
-    const std::string words = field.symbol.empty() ? sentence : sentence + " (" + std::string(field.symbol) + ")";
-    std::string text = line + std::string(line.size() < column ? column - line.size() : 1, ' ') + "# ";
-    for (const char letter : base::wrapped(words, {.columns = 74}))
-        text += letter == '\n' ? "\n" + std::string(column, ' ') + "# " : std::string(1, letter);
-    return text + "\n";
-}
-
-// what says where a contact is, if it is a name and no list of numbers
-bool is_of_contact(std::string_view section, std::string_view line) {
-    const bool is_list = line.find(" = [") != std::string_view::npos || line.find('=') == std::string_view::npos;
-    return section == "structure.contact" && (!is_list || line.starts_with('['));
-}
-
-// a case file to be read: what each value is, and of matrices where they are from
-std::string explained_case(const parameters::Case& c, const std::string& file) {
-    const bool has_matrices = c.own_structure && !c.own_structure->recipe;
-    std::istringstream lines(file);
-    std::string text, section;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with('[')) {
-            section = line.substr(line.rfind('[') + 1, line.find(']') - line.rfind('[') - 1);
-            section = section == "joint.contact" ? "contact" : section;
-        }
-        const std::size_t equals = std::min(line.find(" = "), line.size());
-        const bool is_list = equals == line.size() || line.substr(equals).starts_with(" = [");
-        const bool is_of_matrices =
-            has_matrices && section.starts_with("structure") && line != "[structure]" && !is_of_contact(section, line);
-        if (is_of_matrices && !line.empty() && (is_list || section != "structure")) continue;
-        if (is_of_matrices && line.empty() && text.ends_with("\n\n")) continue;
-        const std::string name = line.substr(0, equals);
-        const parameters::Field* field = parameters::find_field(section.empty() ? name : section + "." + name);
-        const bool is_told = field != nullptr && !(has_matrices && parameters::is_of_builder(*field));
-        text += is_told ? explained(line, *field) : line + "\n";
-        if (has_matrices && line == "[structure]")
-            text += fmt::format("# {}: {} rows, content {}\n", c.own_structure->origin, c.own_structure->row.size(),
-                                parameters::content_hash(*c.own_structure));
-    }
-    return text;
-}
-
 // each value with what it is; matrices are for programs, and stand in what is saved
 Section file_section(const DesignResults& results) {
     const parameters::Case& c = results.design;
     constexpr std::size_t longest = 1'000'000;  // [byte]
     Section section{"The case"};
-    std::string saved = io::case_toml(results.design, {io::Comments::none, {}});
+    std::string about;
     if (!results.author.empty() || !results.part.empty())
-        saved += fmt::format("\n[document]\nauthor = {}\npart = {}\n", base::Json(results.author).dump(),
-                             base::Json(results.part).dump());
+        about = fmt::format("\n[document]\nauthor = {}\npart = {}\n", base::Json(results.author).dump(),
+                            base::Json(results.part).dump());
     section.code = results.command;
-    section.file = {"case.toml", explained_case(results.design, saved), saved};
+    section.file = {"case.toml", io::case_toml(c, {io::Comments::beside, {}}) + about,
+                    io::case_toml(c, {io::Comments::none, {}}) + about};
     section.paragraphs.emplace_back("Everything above follows from these values, by this command:");
     if (section.file.saved.size() > longest) {
         section.file.saved = section.file.text;
         section.paragraphs.emplace_back("Its matrices are too large to be saved from here.");
-    } else if (c.own_structure && !c.own_structure->recipe) {
+    } else if (parameters::has_given_structure(c)) {
         section.paragraphs.emplace_back("The file that can be saved from the HTML report holds its matrices, too.");
     }
     return section;

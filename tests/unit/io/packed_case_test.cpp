@@ -1,6 +1,10 @@
 #include "stridor/io/case/packed_case.hpp"
 
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/io/case/case_changes.hpp"
+#include "stridor/io/case/ready_files.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
@@ -12,6 +16,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stridor::io {
@@ -122,6 +127,33 @@ TEST(PackedCase, OfNoStructureIsThatCase) {
         EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
         EXPECT_EQ(again.title, c.title);
     }
+}
+
+TEST(PackedCase, OfReadyFilesIsTheirCase) {
+    for (const std::string& name : ready_file_names()) {
+        if (name == "schema") continue;
+        const TomlDocument document = parse_toml({ready_file(name), name, {}});
+        const Case c = document.find("chart") != nullptr ? read_base_case(document) : read_case(document);
+        const Case again = unpacked_case(packed_case(c));
+        EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c)) << name;
+        EXPECT_EQ(case_toml(again), case_toml(c)) << name;
+        EXPECT_EQ(case_toml(read_case({case_toml(c), name, {}})), case_toml(c)) << name;
+    }
+}
+
+// the first form had a text of TOML in place of entries
+TEST(PackedCase, OfTheFirstFormIsRead) {
+    const Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    const double none = 0.0;
+    base::Packing first;
+    first.add("stridor.case/1");
+    first.add(case_toml(c, {.comments = Comments::none, .heading = ""}));
+    first.add(std::string_view());
+    first.add(std::string_view());
+    first.add(std::string_view(reinterpret_cast<const char*>(&none), sizeof none));
+    const Case again = unpacked_case(first.take());
+    EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
+    EXPECT_EQ(again.title, c.title);
 }
 
 TEST(PackedCase, HasTheSamplesOfItsDrive) {

@@ -2,15 +2,14 @@
 
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -43,13 +42,12 @@ Error without_places(const Error& error) {
     return Error::of(error.kind(), std::move(complaints));
 }
 
-TomlDocument document_of(const Case& c, std::span<const CaseChange> changes) {
-    const TomlOptions options{.comments = Comments::none, .heading = ""};
-    TomlDocument document = parse_toml({case_toml(without_matrices(c), options), "the case", {}});
+TomlDocument changed_document(const Case& c, std::span<const CaseChange> changes) {
+    TomlDocument document = document_of(c);
     for (const CaseChange& change : changes) {
         document.entries.push_back(entry_of(change));
         const std::string& key = document.entries.back().key;
-        if (has_given_structure(c) && key.starts_with("structure.") && parameters::field_of(key) == nullptr)
+        if (parameters::has_given_structure(c) && key.starts_with("structure.") && parameters::field_of(key) == nullptr)
             throw Error(ErrorKind::input, {key + " cannot be set", "the structure has come from matrices",
                                            "Read a file with other matrices."});
     }
@@ -58,30 +56,9 @@ TomlDocument document_of(const Case& c, std::span<const CaseChange> changes) {
 
 }  // namespace
 
-bool has_given_structure(const Case& c) {
-    return c.own_structure && !c.own_structure->recipe;
-}
-
-Case without_matrices(const Case& c) {
-    if (!has_given_structure(c)) return c;
-    Case written = c;
-    auto outline = std::make_shared<parameters::OwnStructure>();
-    outline->contacts = c.own_structure->contacts;
-    if (!c.own_structure->force.empty()) outline->force = {1.0};
-    for (parameters::OwnContact& contact : outline->contacts) {
-        contact.normal.clear();
-        contact.tangent.clear();
-        contact.second_tangent.clear();
-        contact.interface.clear();
-        contact.position.reset();
-    }
-    written.own_structure = outline;
-    return written;
-}
-
 Case changed(const Case& c, std::span<const CaseChange> changes) {
     try {
-        const TomlDocument document = document_of(c, changes);
+        const TomlDocument document = changed_document(c, changes);
         const bool names_samples = std::any_of(document.entries.begin(), document.entries.end(), [](const auto& entry) {
             return entry.key == "drive.file" && entry.origin == TomlOrigin::override;
         });
@@ -90,7 +67,8 @@ Case changed(const Case& c, std::span<const CaseChange> changes) {
             readers.samples = [&](const std::string&) {
                 return recordings::SampledMotion{c.drive.times, c.drive.velocities};
             };
-        if (has_given_structure(c)) readers.structure = [&](const TomlDocument&) { return c.own_structure; };
+        if (parameters::has_given_structure(c))
+            readers.structure = [&](const TomlDocument&) { return c.own_structure; };
         return read_case(document, readers);
     } catch (const Error& error) {
         throw without_places(error);

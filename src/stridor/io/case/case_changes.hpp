@@ -21,11 +21,4 @@ struct CaseChange {
 /// range, changes that leave something out or contradict what stays.
 parameters::Case changed(const parameters::Case& c, std::span<const CaseChange> changes);
 
-/// Has it a structure that no builder makes? Its matrices cannot be changed by keys.
-bool has_given_structure(const parameters::Case& c);
-
-/// The case without the numbers of such a structure, which may be many: as text it is short, and still says which keys
-/// mean something.
-parameters::Case without_matrices(const parameters::Case& c);
-
 }  // namespace stridor::io

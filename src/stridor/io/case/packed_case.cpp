@@ -2,12 +2,12 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/packed_bytes.hpp"
-#include "stridor/io/case/case_changes.hpp"
+#include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +20,9 @@
 #include <variant>
 #include <vector>
 
-// Text, then the times and velocities of samples, then the structure if matrices gave it. Numbers are their bytes: a
-// hundred million of them are no text.
+// The entries of the case's document, then the times and velocities of samples, then the structure if matrices gave it,
+// behind the keys of its contacts. Numbers are their bytes: a hundred million of them are no text. The first form had a
+// TOML text in place of entries, and always the same keys; it is read, too.
 
 namespace stridor::io {
 
@@ -33,13 +34,19 @@ using parameters::OwnContact;
 using parameters::OwnOutput;
 using parameters::OwnStructure;
 
-constexpr std::string_view packed_mark = "stridor.case/1";
+constexpr std::string_view packed_mark = "stridor.case/2";
+constexpr std::string_view first_mark = "stridor.case/1";
 constexpr std::uint64_t longest_list = 65536;  // [1] of rows, contacts, outputs: more are broken bytes
 
 /// Puts members into bytes.
 class Packer {
 public:
-    void operator()(const std::string& words) { packing_.add(std::string_view(words)); }
+    void operator()(std::string_view words) { packing_.add(words); }
+    void operator()(const std::vector<std::string>& list) {
+        count(list);
+        for (const std::string& words : list)
+            (*this)(words);
+    }
     void operator()(double number) { put(&number, 1); }
     void operator()(const std::vector<double>& numbers) { put(numbers.data(), numbers.size()); }
     void operator()(const std::optional<double>& number) { put(number ? &*number : nullptr, number ? 1 : 0); }
@@ -51,6 +58,7 @@ public:
         packing_.add(std::uint64_t{list.size()});
         return list.size();
     }
+    void kind(const TomlValue& value) { packing_.add(std::uint64_t{value.index()}); }
     std::string take() { return packing_.take(); }
 
 private:
@@ -61,12 +69,25 @@ private:
     base::Packing packing_;
 };
 
+// an empty value of one kind; of no kind that there is: the last, which no key takes
+template <std::size_t index = 0>
+TomlValue alternative(std::uint64_t kind) {
+    if constexpr (index + 1 < std::variant_size_v<TomlValue>)
+        if (index != kind) return alternative<index + 1>(kind);
+    return TomlValue(std::in_place_index<index>);
+}
+
 /// Takes them out again.
 class Unpacker {
 public:
     explicit Unpacker(std::string_view bytes) : unpacking_(bytes) {}
 
     void operator()(std::string& words) { words = unpacking_.words(); }
+    void operator()(std::vector<std::string>& list) {
+        count(list);
+        for (std::string& words : list)
+            (*this)(words);
+    }
     void operator()(double& number) { number = exactly(1).front(); }
     void operator()(std::vector<double>& numbers) {
         const std::string bytes = unpacking_.words();
@@ -92,6 +113,7 @@ public:
         return list.size();
     }
 
+    void kind(TomlValue& value) { value = alternative(unpacking_.count()); }
     bool is_good() const { return is_good_ && unpacking_.is_good(); }
     bool is_complete() const { return is_good_ && unpacking_.is_complete(); }
 
@@ -108,43 +130,65 @@ private:
     bool is_good_ = true;
 };
 
-// in the order in which these bytes have them
-constexpr std::array<std::string_view, parameters::first_contact_fields> packed_keys{"name",
-                                                                                     "normal",
-                                                                                     "tangent",
-                                                                                     "second_tangent",
-                                                                                     "initial_gap",
-                                                                                     "interface",
-                                                                                     "static_friction",
-                                                                                     "kinetic_friction",
-                                                                                     "preload_share",
-                                                                                     "drive_share",
-                                                                                     "second_drive_share",
-                                                                                     "position"};
+using Keys = std::vector<std::string>;
 
-// every member in one order, for both
-template <typename Archive, typename Contact>
-void pass_contact(Archive& pass, Contact& contact) {
-    for (const std::string_view key : packed_keys)
-        std::visit([&](auto member) { pass(contact.*member); }, parameters::contact_field(key).member);
+const Keys& keys_of_first_form() {
+    static const Keys keys{"name",
+                           "normal",
+                           "tangent",
+                           "second_tangent",
+                           "initial_gap",
+                           "interface",
+                           "static_friction",
+                           "kinetic_friction",
+                           "preload_share",
+                           "drive_share",
+                           "second_drive_share",
+                           "position"};
+    return keys;
+}
+
+Keys keys_of_contacts() {
+    Keys keys;
+    for (const parameters::ContactField& field : parameters::contact_fields())
+        keys.emplace_back(field.key);
+    return keys;
+}
+
+// one of them twice, or none that there is: broken bytes
+bool are_of_contacts(const Keys& keys) {
+    const Keys known = keys_of_contacts();
+    return std::all_of(keys.begin(), keys.end(), [&](const std::string& key) {
+        return std::count(keys.begin(), keys.end(), key) == 1 && std::count(known.begin(), known.end(), key) == 1;
+    });
 }
 
 template <typename Archive, typename Structure>
-void pass_structure(Archive& pass, Structure& own) {
-    pass(own.origin), pass(own.mass), pass(own.stiffness), pass(own.damping);
-    for (std::size_t k = 0, count = pass.count(own.row); k < count; ++k)
-        pass(own.row[k]);
+void pass_structure(Archive& pass, Structure& own, const Keys& keys) {
+    pass(own.origin), pass(own.mass), pass(own.stiffness), pass(own.damping), pass(own.row);
     pass(own.following.ratio), pass(own.following.loss_factor);
     pass(own.following.rayleigh_mass), pass(own.following.rayleigh_stiffness), pass(own.left_out_above);
     pass(own.load), pass(own.force), pass(own.initial_displacement), pass(own.initial_velocity);
     for (std::size_t k = 0, count = pass.count(own.contacts); k < count; ++k)
-        pass_contact(pass, own.contacts[k]);
+        for (const std::string& key : keys)
+            std::visit([&](auto member) { pass(own.contacts[k].*member); }, parameters::contact_field(key).member);
     for (std::size_t k = 0, count = pass.count(own.outputs); k < count; ++k)
         pass(own.outputs[k].name), pass(own.outputs[k].weights);
     for (std::size_t k = 0, count = pass.count(own.outline); k < count; ++k) {
         std::optional<std::array<double, 3>> position = own.outline[k].position;
         pass(position), pass(own.outline[k].along), pass(own.outline[k].across);
         if constexpr (!std::is_const_v<Structure>) own.outline[k].position = position.value_or(std::array<double, 3>{});
+    }
+}
+
+template <typename Archive, typename Entries>
+void pass_entries(Archive& pass, Entries& entries) {
+    const auto pass_number = [&](auto& value) {
+        if constexpr (requires { pass(value); }) pass(value);
+    };
+    for (std::size_t k = 0, count = pass.count(entries); k < count; ++k) {
+        pass(entries[k].key), pass.kind(entries[k].value);
+        std::visit(pass_number, entries[k].value);
     }
 }
 
@@ -173,31 +217,41 @@ bool has_its_shape(const OwnStructure& own) {
 }  // namespace
 
 std::string packed_case(const Case& c) {
-    const bool is_given = has_given_structure(c);
+    const bool is_given = parameters::has_given_structure(c);
+    const TomlDocument document = document_of(c);
+    const Keys keys = keys_of_contacts();
     Packer packer;
-    packer(std::string(packed_mark));
-    packer(case_toml(is_given ? without_matrices(c) : c, {.comments = Comments::none, .heading = ""}));
+    packer(packed_mark);
+    pass_entries(packer, document.entries);
     packer(c.drive.times), packer(c.drive.velocities);
     packer(is_given ? 1.0 : 0.0);
-    if (is_given) pass_structure(packer, *c.own_structure);
+    if (is_given) packer(keys), pass_structure(packer, *c.own_structure, keys);
     return packer.take();
 }
 
 Case unpacked_case(std::string_view bytes) {
     Unpacker unpacker(bytes);
     std::string mark, text;
+    TomlDocument document{"<packed>", {}};
     std::vector<double> times, velocities;
     double is_given = 0.0;
-    unpacker(mark), unpacker(text), unpacker(times), unpacker(velocities), unpacker(is_given);
-    if (!unpacker.is_good() || mark != packed_mark || times.size() != velocities.size()) refuse_bytes();
+    Keys keys = keys_of_first_form();
+    unpacker(mark);
+    const bool is_of_first_form = mark == first_mark;
+    if (!is_of_first_form && mark != packed_mark) refuse_bytes();
+    is_of_first_form ? unpacker(text) : pass_entries(unpacker, document.entries);
+    unpacker(times), unpacker(velocities), unpacker(is_given);
+    if (is_given != 0.0 && !is_of_first_form) unpacker(keys);
+    if (!unpacker.is_good() || times.size() != velocities.size() || !are_of_contacts(keys)) refuse_bytes();
     const auto own = std::make_shared<OwnStructure>();
-    if (is_given != 0.0) pass_structure(unpacker, *own);
+    if (is_given != 0.0) pass_structure(unpacker, *own, keys);
     if (!unpacker.is_complete() || (is_given != 0.0 && !has_its_shape(*own))) refuse_bytes();
+    if (is_of_first_form) document = parse_toml({text, document.name, {}});
     CaseReaders readers;
     if (!times.empty())
         readers.samples = [&](const std::string&) { return recordings::SampledMotion{times, velocities}; };
     if (is_given != 0.0) readers.structure = [&](const TomlDocument&) { return own; };
-    return read_case(parse_toml({text, "<packed>", {}}), readers);
+    return read_case(document, readers);
 }
 
 }  // namespace stridor::io

@@ -53,7 +53,7 @@ bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
 class CaseReading {
 public:
     /// `beginning` has what fields do not say: the names of its joints, a structure of its own.
-    explicit CaseReading(const TomlDocument& document, const Case& beginning = {})
+    CaseReading(const TomlDocument& document, const Case& beginning)
         : document_(&document),
           complaints_(beginning.joints.size()),
           of_file_(beginning),
@@ -205,52 +205,43 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
 // do the values have to fit together, or do axes replace some of them first?
 enum class ReadAs { complete_case, base_of_chart };
 
-parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, ReadAs what,
-                          const Case& beginning = {}) {
-    CaseReading reading(document, beginning);
+Case read_fields(const TomlDocument& fields, const SamplesReader& samples, ReadAs what, const Case& beginning) {
+    CaseReading reading(fields, beginning);
     reading.read_kinds();
     reading.read_values();
     if (what == ReadAs::base_of_chart) reading.throw_any();
     // what a sampled drive moves is known only when its file is read
-    if (reading.has_sound_joint()) read_samples(reading.result(), document, samples);
+    if (reading.has_sound_joint()) read_samples(reading.result(), fields, samples);
     if (what == ReadAs::complete_case) reading.check_findings();
     reading.throw_any();
     return reading.result();
 }
 
-// a case with joints of these names, and nothing else yet
-Case with_joints(const std::vector<std::string>& names) {
+// which joints there are: their entries are taken from the document as those of one joint, and know whose they are
+Case begin_joints(TomlDocument& document, Complaints& complaints) {
+    JointsDocument joints = joints_document(document, complaints);
+    document = std::move(joints.document);
     Case c;
-    c.joints.resize(names.size());
-    for (std::size_t joint = 0; joint < names.size(); ++joint)
-        c.joints[joint].name = names[joint];
+    c.joints.resize(joints.names.size());
+    for (std::size_t joint = 0; joint < joints.names.size(); ++joint)
+        c.joints[joint].name = joints.names[joint];
     return c;
 }
 
-parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples, ReadAs what) {
+// whatever a case is made of, its fields are read in one way
+Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadAs what) {
     Complaints complaints;
-    const JointsDocument joints = joints_document(document, complaints);
+    const bool has_own = has_own_structure(document);
+    TomlDocument fields = has_own ? without_structure(document, complaints) : document;
     Case c;
-    complaints.keep([&] { c = read_one(joints.document, samples, what, with_joints(joints.names)); });
+    bool is_begun = true;
+    if (has_own)
+        is_begun = complaints.keep([&] { c.own_structure = readers.structure(document); });
+    else if (lists_joints(document))
+        c = begin_joints(fields, complaints);
+    if (is_begun) complaints.keep([&] { c = read_fields(fields, readers.samples, what, c); });
     complaints.throw_any();
     return c;
-}
-
-// a structure of its own stands where the joints would
-parameters::Case read_with_structure(const TomlDocument& document, const CaseReaders& readers, ReadAs what) {
-    Complaints complaints;
-    const TomlDocument rest = without_structure(document, complaints);
-    Case beginning;
-    if (complaints.keep([&] { beginning.own_structure = readers.structure(document); }))
-        complaints.keep([&] { beginning = read_one(rest, readers.samples, what, beginning); });
-    complaints.throw_any();
-    return beginning;
-}
-
-parameters::Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadAs what) {
-    if (has_own_structure(document)) return read_with_structure(document, readers, what);
-    return lists_joints(document) ? read_several(document, readers.samples, what)
-                                  : read_one(document, readers.samples, what);
 }
 
 }  // namespace
@@ -279,12 +270,11 @@ std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
     // what is left over of one with a structure of its own is said when it is read
     if (has_own_structure(document)) return {};
     Complaints names;  // said when the case is read
-    JointsDocument joints{{""}, document};
-    if (lists_joints(document)) joints = joints_document(document, names);
-    CaseReading reading(joints.document, with_joints(joints.names));
+    TomlDocument fields = document;
+    CaseReading reading(fields, lists_joints(document) ? begin_joints(fields, names) : Case());
     reading.read_kinds();
     std::vector<base::Complaint> warnings;
-    for (const TomlEntry& entry : joints.document.entries) {
+    for (const TomlEntry& entry : fields.entries) {
         const parameters::CaseView of_file(reading.of_file(), entry.joint.value_or(0));
         const Field* field = parameters::find_field(entry.key);
         if (field != nullptr && is_idle(of_file, *field, entry))

@@ -1,21 +1,26 @@
 #include "stridor/io/case/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/own_structure/built_structure.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace stridor::io {
 
@@ -23,7 +28,6 @@ namespace {
 
 using parameters::Case;
 using parameters::Choice;
-using parameters::ContactField;
 using parameters::Field;
 using parameters::Quantity;
 
@@ -138,33 +142,6 @@ std::string list_text(const Items& items, Name name) {
     return "[" + text + "]";
 }
 
-// the table below temperature.value
-std::string table_lines(const Case& c, const TomlOptions& options) {
-    const std::string about = options.comments == Comments::full
-                                  ? "# what follows the temperature: its values at these, linear between them\n"
-                                  : "";
-    const auto line = [](std::string_view key, std::string_view unit, const std::vector<double>& values) {
-        std::string list;
-        for (const double value : values)
-            list += (list.empty() ? "" : ", ") + quantity_text(value, unit);
-        return std::string(key) + " = [" + list + "]\n";
-    };
-    std::string text = about + line("at", "degC", c.temperature.at);
-    for (const parameters::TemperatureColumn& column : c.temperature.columns)
-        text += column.holds == parameters::TemperatureColumn::Holds::damping_ratio
-                    ? column.key + " = " + list_text(parameters::value_texts(column), std::identity{}) + "\n"
-                    : line(column.key, parameters::unit_of(column.key), column.values);
-    return text;
-}
-
-// does a file of this case have a line for it, be it as a comment?
-bool has_line(parameters::CaseView at, const Field& field, const TomlOptions& options) {
-    if (parameters::temperature_column(at, field) != nullptr) return false;
-    if (parameters::is_of_builder(field)) return false;  // said where the builder is
-    if (options.comments == Comments::full) return field.belongs(at) || !parameters::home_of(at, field).empty();
-    return field.belongs(at) && !parameters::goes_without_saying(at, field);
-}
-
 }  // namespace
 
 std::string describe_values(const parameters::Field& field) {
@@ -184,125 +161,133 @@ std::string toml_line(parameters::CaseView at, const Field& field) {
 
 namespace {
 
-enum class Sections { all, of_joint, but_joint };
-
-std::string section_lines(parameters::CaseView at, const TomlOptions& options, Sections sections,
-                          std::string text = {}) {
-    std::string_view section;
-    for (const Field& field : parameters::fields()) {
-        const bool is_of_joint = parameters::is_of_joint(field);
-        const bool is_wanted =
-            is_of_joint ? sections == Sections::of_joint : !field.section.empty() && sections == Sections::but_joint;
-        if (sections != Sections::all && !is_wanted) continue;
-        if (!has_line(at, field, options)) continue;
-        const bool is_used = field.belongs(at);
-        if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
-        section = field.section;
-        if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(at, field));
-        text += (is_used ? "" : "#") + toml_line(at, field) + "\n";
-        if (section == "temperature") text += table_lines(at.c, options);
-    }
-    return text;
+// the case as the joint is asked of it whose table a key stands in: "joint.2.mass"
+parameters::CaseView view_of(const Case& c, std::string_view key) {
+    const auto of_list = parameters::joint_key(key);
+    return {c, of_list ? std::stoul(of_list->joint) - 1 : 0};
 }
 
-std::string numbers_text(std::span<const double> numbers) {
+// "joint.1.contact" as [joint.contact], "structure.output.2" as [[structure.output]]
+std::string header_line(std::string_view table) {
+    std::string name;
+    bool is_of_list = false;
+    for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
+        end = table.find('.', begin);
+        const std::string_view part = table.substr(begin, end == std::string_view::npos ? end : end - begin);
+        is_of_list = part.find_first_not_of("0123456789") == std::string_view::npos;
+        if (!is_of_list) name += (name.empty() ? "" : ".") + std::string(part);
+    }
+    return is_of_list ? "[[" + name + "]]\n" : "[" + name + "]\n";
+}
+
+// of what is no field: the unit in which its number is written
+std::string_view unit_of_entry(const std::string& table, std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> of_matrices{
+        {{"rayleigh_mass", "1/s"}, {"rayleigh_stiffness", "s"}, {"left_out_above", "Hz"}}};
+    if (table == "temperature") return name == "at" ? "degC" : parameters::unit_of(name);
+    if (table.starts_with("structure.contact.")) return parameters::contact_field(name).unit;
+    for (const auto& [key, unit] : of_matrices)
+        if (key == name) return unit;
+    return parameters::unit_of(table + "." + std::string(name));
+}
+
+std::string numbers_text(const std::vector<double>& numbers, std::string_view unit) {
     std::string items;
     for (const double number : numbers)
-        items += (items.empty() ? "" : ", ") + number_text(number);
+        items += (items.empty() ? "" : ", ") + quantity_text(number, unit);
     return "[" + items + "]";
 }
 
-// a structure of the user's own with all its numbers, whatever it was made from
-std::string matrix_lines(const parameters::OwnStructure& own) {
-    const std::size_t rows = own.row.size();
-    std::string text;
-    const auto matrix = [&](std::string_view key, const std::vector<double>& numbers) {
-        if (numbers.empty()) return;
-        text += std::string(key) + " = [";
-        for (std::size_t row = 0; row < rows; ++row)
-            text += (row > 0 ? ",\n  " : "\n  ") + numbers_text(std::span(numbers).subspan(row * rows, rows));
-        text += "\n]\n";
-    };
-    const auto number = [&](std::string_view key, double value, std::string_view unit) {
-        if (value != 0.0) text += std::string(key) + " = " + quantity_text(value, unit) + "\n";
-    };
-    const auto vector = [&](std::string_view key, const std::vector<double>& numbers) {
-        if (!numbers.empty()) text += std::string(key) + " = " + numbers_text(numbers) + "\n";
-    };
-    if (own.recipe) {
-        vector("force", own.force);
-        vector("initial_displacement", own.initial_displacement);
-        return recipe_lines(*own.recipe) + text;
-    }
-    text += "rows = " + list_text(own.row, std::identity{}) + "\n";
-    matrix("mass", own.mass);
-    matrix("stiffness", own.stiffness);
-    matrix("damping", own.damping);
-    number("damping_ratio", own.following.ratio, "1");
-    number("loss_factor", own.following.loss_factor, "1");
-    number("rayleigh_mass", own.following.rayleigh_mass, "1/s");
-    number("rayleigh_stiffness", own.following.rayleigh_stiffness, "s");
-    number("left_out_above", own.left_out_above, "Hz");
-    vector("load", own.load);
-    vector("force", own.force);
-    vector("initial_displacement", own.initial_displacement);
-    vector("initial_velocity", own.initial_velocity);
-    return text;
+std::string rows_text(const TomlRows& rows) {
+    std::string lines;
+    for (const std::vector<double>& row : rows)
+        lines += (lines.empty() ? "\n  " : ",\n  ") + numbers_text(row, "1");
+    return "[" + lines + "\n]";
 }
 
-std::string output_tables(const parameters::OwnStructure& own) {
-    std::string text;
-    for (const parameters::OwnOutput& output : own.outputs)
-        text += "\n[[structure.output]]\nname = " + basic_string(output.name) +
-                "\ndirection = " + numbers_text(output.weights) + "\n";
-    return text;
+// a number of a list has a unit where it follows the temperature
+std::string text_of_entry(const TomlValue& value, const std::string& table, std::string_view name) {
+    if (const auto* words = std::get_if<std::string>(&value)) return basic_string(*words);
+    if (const auto* list = std::get_if<std::vector<std::string>>(&value)) return list_text(*list, std::identity{});
+    if (const auto* rows = std::get_if<TomlRows>(&value)) return rows_text(*rows);
+    if (const auto* number = std::get_if<double>(&value)) return quantity_text(*number, unit_of_entry(table, name));
+    return numbers_text(std::get<std::vector<double>>(value),
+                        table == "temperature" ? unit_of_entry(table, name) : "1");
 }
 
-std::string contact_tables(const parameters::OwnStructure& own) {
-    const auto text_of = [](const parameters::ContactValue& value, std::string_view unit) {
-        if (const auto* words = std::get_if<std::string>(&value)) return basic_string(*words);
-        if (const auto* number = std::get_if<double>(&value)) return quantity_text(*number, unit);
-        return numbers_text(std::get<std::vector<double>>(value));
-    };
-    std::string text;
-    for (const parameters::OwnContact& contact : own.contacts) {
-        text += "\n[[structure.contact]]\n";
-        for (const ContactField& field : parameters::contact_fields())
-            if (field.key == "name" || field.need == ContactField::Need::required || !is_usual(contact, field))
-                text += std::string(field.key) + " = " + text_of(value_of(contact, field), field.unit) + "\n";
-    }
-    return text;
+// what a line of [structure] or [temperature] is about
+std::string comment_of_entry(const Case& c, const std::string& table, std::string_view name,
+                             const TomlOptions& options) {
+    const bool is_full = options.comments == Comments::full;
+    if (is_full && table == "temperature" && name == "at")
+        return "# what follows the temperature: its values at these, linear between them\n";
+    if (table != "structure" || !c.own_structure->recipe) return {};
+    for (const BuilderKey& key : builder_keys(c.own_structure->recipe->builder))
+        if (key.name == name) return "# " + std::string(sentence_of(key)) + "\n";
+    return {};
 }
 
-void replace_line(std::string& text, std::string_view line, std::string_view by) {
-    if (const std::size_t at = text.find(line); at != std::string::npos) text.replace(at, line.size(), by);
+std::string field_lines(parameters::CaseView at, const Field& field, const TomlOptions& options) {
+    const bool is_used = field.belongs(at);
+    const bool is_explained =
+        options.comments == Comments::full && (!field.section.empty() || !parameters::has_several_joints(at.c));
+    return (is_explained ? comment(field, is_used ? "" : parameters::home_of(at, field)) : "") + (is_used ? "" : "#") +
+           toml_line(at, field) + "\n";
 }
 
-// [joint] and [contact] of one joint as [[joint]], with its name, and [joint.contact]
-std::string joint_table(const Case& c, std::size_t joint, const TomlOptions& options) {
-    std::string text = section_lines({c, joint}, options, Sections::of_joint);
-    replace_line(text, "[joint]\n", "[[joint]]\nname = " + basic_string(parameters::joint_name(c, joint)) + "\n");
-    replace_line(text, "\n[contact]\n", "\n[joint.contact]\n");
-    return text;
+// a line, and beside it what the field is
+std::string explained(std::string line, const Field& field) {
+    constexpr std::size_t column = 36;  // where comments begin
+    line.pop_back();
+    const std::string sentence(field.sentence);
+    const std::string words = field.symbol.empty() ? sentence : sentence + " (" + std::string(field.symbol) + ")";
+    std::string text = line + std::string(line.size() < column ? column - line.size() : 1, ' ') + "# ";
+    for (const char letter : base::wrapped(words, {.columns = 74}))
+        text += letter == '\n' ? "\n" + std::string(column, ' ') + "# " : std::string(1, letter);
+    return text + "\n";
+}
+
+// is it of a structure that no builder makes, and for programs only: a list of numbers or names, an output?
+bool is_of_matrices(const TomlEntry& entry) {
+    const bool is_list = !std::holds_alternative<double>(entry.value) &&
+                         !std::holds_alternative<TomlTable>(entry.value) &&
+                         !std::holds_alternative<std::string>(entry.value);
+    return entry.key.starts_with("structure.output") || (is_list && entry.key.starts_with("structure."));
 }
 
 }  // namespace
 
 std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
-    if (c.own_structure) {
-        std::string text = section_lines(c, options, Sections::all, heading(options));
-        replace_line(text, "[structure]\n", "[structure]\n" + matrix_lines(*c.own_structure));
-        if (!c.own_structure->recipe) text += contact_tables(*c.own_structure);
-        return text + output_tables(*c.own_structure);
-    }
-    if (!parameters::has_several_joints(c)) return section_lines(c, options, Sections::all, heading(options));
+    const TomlDocument document =
+        document_of(c, options.comments == Comments::full ? CaseDepth::whole_and_idle : CaseDepth::whole);
+    const auto opens = [](const TomlEntry& entry) { return std::holds_alternative<TomlTable>(entry.value); };
+    const bool is_beside = options.comments == Comments::beside;
+    const bool has_matrices = parameters::has_given_structure(c);
     std::string text = heading(options);
-    if (!c.title.empty()) text += toml_line(c, *parameters::find_field("title")) + "\n\n";
-    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)
-        text += joint_table(c, joint, options) + "\n";
-    Case shared = c;
-    shared.title.clear();
-    return text + section_lines(shared, options, Sections::but_joint);
+    std::string table;
+    for (auto entry = document.entries.begin(); entry != document.entries.end(); ++entry) {
+        if (is_beside && has_matrices && is_of_matrices(*entry)) continue;
+        if (opens(*entry)) {
+            table = entry->key;
+            // a list is opened by its tables
+            if (opens(*std::next(entry))) continue;
+            text += (text.empty() || text.ends_with("\n\n") ? "" : "\n") + header_line(table);
+            if (is_beside && has_matrices && table == "structure")
+                text += "# " + c.own_structure->origin + ": " + std::to_string(c.own_structure->row.size()) +
+                        " rows, content " + parameters::content_hash(*c.own_structure) + "\n";
+            continue;
+        }
+        const std::string name = table.empty() ? entry->key : entry->key.substr(table.size() + 1);
+        const Field* field = parameters::field_of(entry->key);
+        const bool is_built = field != nullptr && parameters::is_of_builder(*field);
+        if (field == nullptr || is_built) text += comment_of_entry(c, table, name, options);
+        std::string line = field != nullptr && !is_built
+                               ? field_lines(view_of(c, entry->key), *field, options)
+                               : name + " = " + text_of_entry(entry->value, table, name) + "\n";
+        const bool is_told = is_beside && field != nullptr && !(is_built && has_matrices);
+        text += is_told ? explained(std::move(line), *field) : line;
+    }
+    return text;
 }
 
 std::string study_toml(const sweep::Study& study, const TomlOptions& options) {

@@ -9,11 +9,14 @@
 namespace stridor::io {
 
 /// Does the file explain its keys?
-enum class Comments { none, full };
+enum class Comments {
+    none,
+    full,    // above each key what it is, its symbol, unit and range; and the keys of other kinds, to be uncommented
+    beside,  // behind each value what it is; for people, who get no matrices but where those are from
+};
 
 /// How a file is written.
 struct TomlOptions {
-    // full: above each key what it is, its symbol, unit and range; and the keys of other kinds, ready to be uncommented
     Comments comments = Comments::full;
     std::string heading;  // lines put at the top as comments; may be empty
 };
@@ -21,7 +24,7 @@ struct TomlOptions {
 /// A case as a TOML file, generated from the field table: every key that belongs to it, quantities with their units.
 /// What follows the temperature stands in [temperature] alone.
 ///
-/// Reading it back gives a case with an identical `parameters::canonical_text`.
+/// Reading it back gives a case with an identical `parameters::canonical_text`, unless matrices were left out.
 std::string case_toml(const parameters::Case& c, const TomlOptions& options = {});
 
 /// A chart: the case's sections and [chart]. Reading it back gives the same `sweep::canonical_text`.

@@ -82,15 +82,6 @@ std::string word_in(const TomlSection& section, const BuilderKey& key) {
     section.refuse_kind(section.need(key.name), fmt::format("\"{}\"", fmt::join(key.words, "\" or \"")));
 }
 
-std::string value_text(const Recipe& recipe, const BuilderKey& key) {
-    if (key.holds == Holds::word) return "\"" + recipe.words.find(key.name)->second + "\"";
-    const double value = recipe.numbers.find(key.name)->second;
-    if (key.holds == Holds::count) return fmt::format("{}", value);
-    const std::string_view unit = parameters::unit_of(field_of(key));
-    const std::string text = base::quantity_text(value, unit);
-    return unit == "1" ? text : "\"" + text + "\"";
-}
-
 }  // namespace
 
 std::span<const StructureBuilder> structure_builders() {
@@ -113,15 +104,11 @@ parameters::OwnStructure built_structure(const StructureBuilder& builder, const 
     return builder.build(recipe);
 }
 
-std::string recipe_lines(const Recipe& recipe) {
-    const auto* const builder = std::find_if(all_builders.begin(), all_builders.end(),
-                                             [&](const auto& each) { return each.name == recipe.builder; });
-    STRIDOR_EXPECT(builder != all_builders.end());
-    std::string lines = "builder = \"" + recipe.builder + "\"\n";
-    for (const BuilderKey& key : builder->keys)
-        if (recipe.numbers.contains(key.name) || recipe.words.contains(key.name))
-            lines += fmt::format("# {}\n{} = {}\n", sentence_of(key), key.name, value_text(recipe, key));
-    return lines;
+std::span<const BuilderKey> builder_keys(std::string_view builder) {
+    const auto* const found =
+        std::find_if(all_builders.begin(), all_builders.end(), [&](const auto& each) { return each.name == builder; });
+    STRIDOR_EXPECT(found != all_builders.end());
+    return found->keys;
 }
 
 }  // namespace stridor::io

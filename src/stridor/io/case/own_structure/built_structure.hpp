@@ -32,8 +32,8 @@ std::string_view sentence_of(const BuilderKey& key);
 /// What it builds. Throws `Error` (input) at the key that is missing or wrong.
 parameters::OwnStructure built_structure(const StructureBuilder& builder, const TomlSection& section);
 
-/// The lines of [structure] that say a recipe, with a comment above each key.
-std::string recipe_lines(const parameters::Recipe& recipe);
+/// The keys of one builder, which must be there.
+std::span<const BuilderKey> builder_keys(std::string_view builder);
 
 /// chain, string, beam.
 std::span<const StructureBuilder> structure_builders();
