@@ -90,7 +90,7 @@ py::dict trace(const CaseHandle& c, const std::string& from, const std::string& 
     request.trace = io::trace_request({from, to, interval}, *c.of);
     RunHandle done = run(c, request);
     record::Trace& trace = done.motion.record.trace;
-    if (c.of->own_structure) record::add_points(trace, parameters::output_weights(*c.of->own_structure));
+    record::add_points(trace, parameters::output_weights(*c.of));
     py::dict parts;
     parts["dofs"] = io::dof_names(*c.of, trace.displacement.size());
     const auto contacts = static_cast<py::ssize_t>(trace.contacts.size());

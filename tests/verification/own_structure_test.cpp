@@ -161,7 +161,7 @@ TEST(OwnStructure, StripOfRubberHasTheMeanSharesOfThePrototype) {
     const support::ScratchFolder folder;
     const parameters::Case c = io::read_case(strip_case(strip, folder));
     ASSERT_EQ(c.own_structure->contacts.size(), 5U);
-    EXPECT_FALSE(parameters::is_preloaded(*c.own_structure));
+    EXPECT_FALSE(parameters::is_preloaded(c));
     const Motion motion = integration::simulate(c);
     EXPECT_EQ(motion.outcome.reason, integration::Reason::completed);
     EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);

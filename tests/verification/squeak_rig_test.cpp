@@ -56,7 +56,7 @@ TEST(SqueakRig, SqueaksAsPublished) {
     EXPECT_EQ(motion.outcome.reason, integration::Reason::completed);
     EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-3);
     record::Trace& trace = motion.record.trace;
-    record::add_points(trace, parameters::output_weights(*c.own_structure));
+    record::add_points(trace, parameters::output_weights(c));
     double sum = 0.0, most = 0.0;
     for (const double velocity : trace.velocity.back()) {
         sum += velocity * velocity;

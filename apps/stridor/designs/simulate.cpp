@@ -55,7 +55,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, in
                    double interval) {
     if (!options.figure.empty())
         pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure, options.sheet);
-    if (c.own_structure) record::add_points(motion.record.trace, parameters::output_weights(*c.own_structure));
+    record::add_points(motion.record.trace, parameters::output_weights(c));
     if (!options.history.empty()) console::write_output(options.history, io::history_csv(c, motion.record.histories));
     if (options.trace.ends_with(".nc"))
         io::write_trace_netcdf(options.trace, c, motion.record);

@@ -11,6 +11,16 @@
 
 namespace stridor::analysis {
 
+std::string_view level_title(const parameters::Case& c) {
+    return c.own_structure ? "level" : "joint level";
+}
+
+std::string_view level_note(const parameters::Case& c) {
+    return c.own_structure
+               ? "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure."
+               : "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
+}
+
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();

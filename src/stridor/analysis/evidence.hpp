@@ -2,6 +2,7 @@
 
 #include "stridor/analysis/alternation.hpp"
 #include "stridor/analysis/rates.hpp"
+#include "stridor/parameters/case.hpp"
 #include "stridor/record/tally.hpp"
 
 #include <cstddef>
@@ -19,14 +20,11 @@ namespace stridor::analysis {
 /// threshold of hearing. The rounding of a motion of some m/s is below 1 pm/s, -60 dB: such numbers mean nothing.
 inline constexpr double reference_velocity = 1e-9;
 
-/// The sentence beside a level in texts for people; a design's level is its joint's unless the text says otherwise.
-/// Files write the reference as "1e-9 m/s".
-inline constexpr std::string_view level_note =
-    "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
+/// Returns the title of a column of levels: they are those of the joint, or of the contact points of an own structure.
+std::string_view level_title(const parameters::Case& c);
 
-/// The sentence beside a level of a structure of the user's own.
-inline constexpr std::string_view contact_level_note =
-    "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
+/// Returns the sentence for people beside a level. Files write the reference as "1e-9 m/s".
+std::string_view level_note(const parameters::Case& c);
 
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
 struct Level {

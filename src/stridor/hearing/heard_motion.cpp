@@ -62,9 +62,8 @@ void expect_one_direction(const AskedMotion& asked, std::string_view of) {
 }
 
 const parameters::OwnOutput* find_output(const Case& c, const AskedMotion& asked) {
-    if (!c.own_structure || c.own_structure->outputs.empty()) return nullptr;
-    const std::vector<parameters::OwnOutput>& outputs = c.own_structure->outputs;
-    if (asked.of == by_default) return &outputs.front();
+    const std::span<const parameters::OwnOutput> outputs = parameters::outputs_of(c);
+    if (asked.of == by_default) return outputs.empty() ? nullptr : &outputs.front();
     const auto found = std::find_if(outputs.begin(), outputs.end(),
                                     [&](const parameters::OwnOutput& output) { return output.name == asked.of; });
     return found == outputs.end() ? nullptr : &*found;

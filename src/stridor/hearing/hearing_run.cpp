@@ -225,12 +225,11 @@ std::string heard_text(const sweep::Study& study, const HearingOptions& options)
     add("results", sweep::results_version);
     text += "heard.of = " + settings.motion.of + " " + settings.motion.component + "\n";
     add("quantity", static_cast<double>(settings.motion.quantity));
-    if (study.base.own_structure)
-        for (const parameters::OwnOutput& output : study.base.own_structure->outputs) {
-            text += "heard.output = " + output.name + "\n";
-            for (const double weight : output.weights)
-                add("weight", weight);
-        }
+    for (const parameters::OwnOutput& output : parameters::outputs_of(study.base)) {
+        text += "heard.output = " + output.name + "\n";
+        for (const double weight : output.weights)
+            add("weight", weight);
+    }
     add("rate", settings.sound.rate);
     add("high_pass", settings.sound.high_pass);
     add("fade", settings.sound.fade);

@@ -32,7 +32,7 @@ constexpr std::size_t most_named = 12;  // contacts in one sentence
 // what each contact did where the motion ended: "; lip1 sticks, lip2 is open"
 std::string last_set(const parameters::Case& c, const Motion& motion) {
     constexpr std::array<std::string_view, model::contact_states> does{"slips", "sticks", "is open"};
-    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+    const bool has_names = parameters::has_named_contacts(c);
     std::string text;
     for (std::size_t k = 0; k < std::min(most_named, motion.last_set.size()); ++k)
         text += fmt::format("{} {} {}", k == 0 ? ";" : ",", has_names ? parameters::contact_name(c, k) : "the contact",
@@ -44,8 +44,8 @@ std::string last_set(const parameters::Case& c, const Motion& motion) {
 
 // "lip1 and lip2"
 std::string pressed_names(const parameters::Case& c, const Motion& motion) {
-    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
-    if (!has_names || motion.pressed.empty() || motion.pressed.size() > most_named) return "the contact";
+    if (!parameters::has_named_contacts(c) || motion.pressed.empty() || motion.pressed.size() > most_named)
+        return "the contact";
     std::string text;
     for (const std::size_t k : motion.pressed)
         text += (text.empty() ? "" : " and ") + parameters::contact_name(c, k);

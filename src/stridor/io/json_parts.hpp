@@ -77,7 +77,7 @@ inline void put_fields(Json& object, parameters::CaseView at, bool (*is_wanted)(
 // of several joints a list, each with its name and its contact
 inline Json joints_array(const parameters::Case& c) {
     Json joints = Json::array();
-    for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
         Json parts = Json::object();
         put_fields(parts, {c, k}, parameters::is_of_joint);
         Json joint{{"name", parameters::joint_name(c, k)}};
@@ -102,7 +102,7 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
             const parameters::ContactValue value = value_of(own.contacts[k], field);
             const auto* words = std::get_if<std::string>(&value);
             if (field.key == "preload_share") {
-                if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
+                if (parameters::is_preloaded(c)) contact["preload"] = laws.preload;
             } else if (field.in_place_of != nullptr) {
                 contact[key] = laws.*field.in_place_of;  // the case's, where the contact has none of its own
             } else if (const auto* number = std::get_if<double>(&value)) {

@@ -105,7 +105,7 @@ Structure structure_of(const parameters::Case& c) {
         structure.measured.row(2 * k + 1) = contact.normal.transpose();
         structure.body.insert(structure.body.end(), {static_cast<int>(k), static_cast<int>(k)});
     }
-    if (parameters::is_preloaded(own))
+    if (parameters::is_preloaded(c))
         press_by_preload(structure, c);
     else
         press_by_load(structure, own);

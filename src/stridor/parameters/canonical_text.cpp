@@ -2,8 +2,8 @@
 
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
@@ -21,26 +21,13 @@ bool is_canonical(CaseView at, const Field& field) {
     return field.belongs(at) && !names_a_thing && !is_content && !follows && !goes_without_saying(at, field);
 }
 
-// "joint.lip2.mass = 0.1 kg", "joint.lip2.contact.preload = 20 N"
-std::string joint_lines(const Case& c, std::size_t joint) {
-    std::string text;
-    for (const Field& field : fields())
-        if (is_of_joint(field) && is_canonical({c, joint}, field))
-            text += key_of_joint(field, joint_name(c, joint)) + " = " + value_text({c, joint}, field) + "\n";
-    return text;
-}
-
 }  // namespace
 
 std::string canonical_text(const Case& c) {
-    const bool has_several = has_several_joints(c);
     std::string text;
-    for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
-        text += joint_lines(c, joint);
     if (c.own_structure) text += "structure.content = " + content_hash(*c.own_structure) + "\n";
-    for (const Field& field : fields())
-        if (is_canonical(c, field) && !(has_several && is_of_joint(field)))
-            text += key_of(field) + " = " + value_text(c, field) + "\n";
+    for (const auto& [field, at, key] : fields_of(c))
+        if (is_canonical(at, field)) text += key + " = " + value_text(at, field) + "\n";
     if (has_temperature_table(c)) text += "temperature.at = " + base::listed(node_texts(c)) + "\n";
     for (const TemperatureColumn& column : c.temperature.columns)
         text += "temperature." + column.key + " = " + base::listed(value_texts(column)) + "\n";

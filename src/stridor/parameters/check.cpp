@@ -267,7 +267,7 @@ void check_verdict(const Case& c, std::vector<Finding>& found) {
 
 std::vector<Finding> findings(const Case& c) {
     std::vector<Finding> found;
-    for (std::size_t joint = 0; joint < joint_count(c); ++joint)
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint)
         for (Finding& finding : findings_at({c, joint}))
             found.push_back(std::move(finding));
     return found;

@@ -22,7 +22,7 @@ inline bool has_own_structure(CaseView at) {
     return at.c.own_structure != nullptr;
 }
 inline bool has_preload(CaseView at) {
-    return !at.c.own_structure || is_preloaded(*at.c.own_structure);
+    return is_preloaded(at.c);
 }
 /// Do all contacts of an own structure say it themselves?
 template <auto member>

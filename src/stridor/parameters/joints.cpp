@@ -13,12 +13,8 @@ constexpr std::string_view contact_opening = "contact.";
 
 }  // namespace
 
-std::size_t joint_count(const Case& c) {
-    return c.joints.size();
-}
-
 std::string joint_name(const Case& c, std::size_t joint) {
-    STRIDOR_EXPECT(joint < joint_count(c));
+    STRIDOR_EXPECT(joint < c.joints.size());
     return has_several_joints(c) ? c.joints[joint].name : "joint";
 }
 

@@ -14,8 +14,6 @@ namespace stridor::parameters {
 /// Most joints of a case: with ten the event-driven engine is at its limit.
 inline constexpr std::size_t most_joints = 16;
 
-std::size_t joint_count(const Case& c);
-
 /// The name of a joint; "joint" where there is only one.
 std::string joint_name(const Case& c, std::size_t joint);
 

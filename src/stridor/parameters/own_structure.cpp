@@ -35,11 +35,6 @@ void put(std::string& text, const ContactField& field, const ContactValue& value
 
 }  // namespace
 
-bool is_preloaded(const OwnStructure& structure) {
-    return std::any_of(structure.contacts.begin(), structure.contacts.end(),
-                       [](const OwnContact& contact) { return contact.preload_share > 0.0; });
-}
-
 std::optional<std::size_t> massless_row(const OwnStructure& structure) {
     for (std::size_t row = 0; row < structure.row.size(); ++row)
         if (structure.mass[row * (structure.row.size() + 1)] == 0.0) return row;
@@ -106,13 +101,6 @@ std::vector<int> interface_numbers(const OwnStructure& structure) {
     return numbers;
 }
 
-std::vector<std::vector<double>> output_weights(const OwnStructure& structure) {
-    std::vector<std::vector<double>> weights;
-    for (const OwnOutput& output : structure.outputs)
-        weights.push_back(output.weights);
-    return weights;
-}
-
 std::vector<double> places_along_line(const OwnStructure& structure) {
     std::array<double, 3> least{}, most{};
     for (const OwnContact& contact : structure.contacts) {
@@ -138,8 +126,17 @@ bool has_given_structure(const Case& c) {
     return c.own_structure && !c.own_structure->recipe;
 }
 
+bool is_preloaded(const Case& c) {
+    return !c.own_structure || std::any_of(c.own_structure->contacts.begin(), c.own_structure->contacts.end(),
+                                           [](const OwnContact& contact) { return contact.preload_share > 0.0; });
+}
+
 std::size_t contact_count(const Case& c) {
-    return c.own_structure ? c.own_structure->contacts.size() : joint_count(c);
+    return c.own_structure ? c.own_structure->contacts.size() : c.joints.size();
+}
+
+bool has_named_contacts(const Case& c) {
+    return c.own_structure || has_several_joints(c);
 }
 
 std::string contact_name(const Case& c, std::size_t contact) {
@@ -161,6 +158,17 @@ Contact contact_of(const Case& c, std::size_t contact) {
             laws.*field.in_place_of = *(own.**number);
     laws.preload = all > 0.0 ? c.contact().preload * (own.preload_share / all) : 0.0;
     return laws;
+}
+
+std::span<const OwnOutput> outputs_of(const Case& c) {
+    return c.own_structure ? std::span<const OwnOutput>(c.own_structure->outputs) : std::span<const OwnOutput>();
+}
+
+std::vector<std::vector<double>> output_weights(const Case& c) {
+    std::vector<std::vector<double>> weights;
+    for (const OwnOutput& output : outputs_of(c))
+        weights.push_back(output.weights);
+    return weights;
 }
 
 }  // namespace stridor::parameters

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,9 +88,6 @@ struct OwnStructure {
     std::optional<Recipe> recipe{};       // what a builder made it from; nothing: it was none
 };
 
-/// Says whether contact.preload presses it; else a load or negative gaps do.
-bool is_preloaded(const OwnStructure& structure);
-
 /// Returns a row without mass; `std::nullopt` if all have one.
 std::optional<std::size_t> massless_row(const OwnStructure& structure);
 
@@ -110,9 +108,6 @@ std::string content_hash(const OwnStructure& structure);
 /// Number of each contact's interface, from 0 in the order of their contacts; shape [contact].
 std::vector<int> interface_numbers(const OwnStructure& structure);
 
-/// Weights of all outputs; shape [output][row].
-std::vector<std::vector<double>> output_weights(const OwnStructure& structure);
-
 /// Where each contact is along the line of contacts [m], from the first end of it: its position along the longest side
 /// of the box around all. Empty where a position is not known, or all are one; shape [contact].
 std::vector<double> places_along_line(const OwnStructure& structure);
@@ -120,8 +115,14 @@ std::vector<double> places_along_line(const OwnStructure& structure);
 /// Has it a structure that no builder makes? Its matrices cannot be changed by keys.
 bool has_given_structure(const Case& c);
 
+/// Is any case pressed by contact.preload? Else its structure is, by a load or by gaps that are negative.
+bool is_preloaded(const Case& c);
+
 /// Contacts of any case.
 std::size_t contact_count(const Case& c);
+
+/// Is a contact of it told by name? The one of a joint alone on its plate is not.
+bool has_named_contacts(const Case& c);
 
 /// Name of a contact of any case: its joint's, or its own.
 std::string contact_name(const Case& c, std::size_t contact);
@@ -129,5 +130,10 @@ std::string contact_name(const Case& c, std::size_t contact);
 /// The laws at a contact of any case: its joint's; at one of the case's own structure [contact], with the coefficients
 /// that the contact has itself, and its share of the preload.
 Contact contact_of(const Case& c, std::size_t contact);
+
+/// Outputs of any case: those of its own structure, and none of joints.
+std::span<const OwnOutput> outputs_of(const Case& c);
+/// Weights of all of them; shape [output][row].
+std::vector<std::vector<double>> output_weights(const Case& c);
 
 }  // namespace stridor::parameters

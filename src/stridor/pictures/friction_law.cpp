@@ -42,7 +42,7 @@ void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
                                             drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
 }
 
-// that of an own structure, whose contacts may have coefficients of their own
+// contacts of an own structure may have coefficients of their own
 parameters::Contact one_law(const parameters::Case& c) {
     const parameters::Contact first = parameters::contact_of(c, 0);
     for (std::size_t contact = 1; contact < parameters::contact_count(c); ++contact) {
@@ -110,7 +110,7 @@ drawing::Scene friction_law_of(const parameters::Case& c) {
         if (!parameters::has_one_value(c, key))
             base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
                          "this is the picture of one law of friction", "");
-    return friction_law(c.own_structure ? one_law(c) : c.contact());
+    return friction_law(one_law(c));
 }
 
 }  // namespace stridor::pictures

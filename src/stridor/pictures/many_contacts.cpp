@@ -134,7 +134,7 @@ drawing::Panel force_panel(const parameters::Case& c, const ContactLine& line, c
             forces.boxes.push_back({line.bars[k], {0.0, force}});
             most = std::max(most, force);
         }
-        if (!parameters::is_preloaded(*c.own_structure)) continue;
+        if (!parameters::is_preloaded(c)) continue;
         preloads.x.push_back(line.places[k]);
         preloads.y.push_back(parameters::contact_of(c, k).preload);
         most = std::max(most, preloads.y.back());
@@ -264,7 +264,7 @@ public:
         for (const ContactState state : stacked)
             scene_.legend.push_back({std::string(model::contact_state_names[model::index_of(state)]),
                                      drawing::Fill{state_colour(state), drawing::Texture::none, {}}});
-        if (parameters::is_preloaded(*c_.own_structure))
+        if (parameters::is_preloaded(c_))
             scene_.legend.push_back(
                 {"preload at rest",
                  drawing::Points{{}, {}, drawing::white, 3.0, {}, drawing::Mark::diamond, drawing::ink}});

@@ -34,10 +34,10 @@ std::string number_or_dash(double value, const char* format) {
 }
 
 Section verdict_section(const DesignResults& results) {
-    const bool is_own = results.design.own_structure != nullptr;
     Section section{"The verdict in figures"};
-    section.table.columns = {"direction",  "category",   "slip",      "stick",
-                             "separation", "regularity", "frequency", is_own ? "level" : "joint level"};
+    section.table.columns = {
+        "direction",  "category",   "slip",      "stick",
+        "separation", "regularity", "frequency", std::string(analysis::level_title(results.design))};
     for (const Verdict& verdict : results.verdicts) {
         const analysis::Evidence& e = verdict.evidence;
         section.table.rows.push_back(
@@ -55,7 +55,7 @@ Section verdict_section(const DesignResults& results) {
     }
     section.paragraphs.push_back("Judged by the noisiest of its runs: " + judged_words(results.standing.space) + ".");
     section.paragraphs.emplace_back("The shares in the table are of the whole window, reversals included. " +
-                                    std::string(is_own ? analysis::contact_level_note : analysis::level_note));
+                                    std::string(analysis::level_note(results.design)));
     return section;
 }
 

@@ -246,7 +246,7 @@ std::string foot(const parameters::Case& c) {
                         : "one joint, one plate, one point of contact";
     return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
            model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
-           (has_several || c.own_structure ? "" : "several contacts ") +
+           (parameters::has_named_contacts(c) ? "" : "several contacts ") +
            "and the radiation of sound, is not in this verdict either.";
 }
 

@@ -288,7 +288,7 @@ std::string joint_in_place(const parameters::PlateJoint& of, std::size_t place) 
 std::string joints_in_place(const parameters::Case& c) {
     if (!parameters::has_several_joints(c)) return joint_part(c.joints.front()) + values(c.joints.front());
     std::string text;
-    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint)
         text += joint_in_place(c.joints[joint], joint);
     return text;
 }
@@ -296,7 +296,7 @@ std::string joints_in_place(const parameters::Case& c) {
 }  // namespace
 
 std::string sketch_svg(const parameters::Case& c) {
-    const double longer = static_cast<double>(parameters::joint_count(c) - 1) * width;
+    const double longer = static_cast<double>(c.joints.size() - 1) * width;
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" fill=\"none\" stroke=\"currentColor\" "
                "stroke-width=\"1.2\" stroke-linecap=\"round\" stroke-linejoin=\"round\">"

@@ -93,7 +93,7 @@ std::string structure_sketch_svg(const parameters::Case& c) {
     text += text_at(
         middle, 0.5 * (body_top + body_bottom) + 14.0,
         fmt::format("{} rows, {} contact{}", own.row.size(), own.contacts.size(), own.contacts.size() == 1 ? "" : "s"));
-    if (parameters::is_preloaded(own))
+    if (parameters::is_preloaded(c))
         text += fmt::format("<path d=\"M {0:.1f} 18 v 34 m -5 -9 l 5 9 l 5 -9\"/>", middle) +
                 text_at(middle + 46.0, 34.0, fmt::format("F = {:.4g} N", c.contact().preload));
     text += contacts_drawing(c);

@@ -39,7 +39,7 @@ std::string refusal_of(const std::string& text, std::vector<std::string> overrid
 
 TEST(TomlJoints, AreReadInTheirOrder) {
     const Case c = read_joints(two_joints());
-    ASSERT_EQ(parameters::joint_count(c), 2U);
+    ASSERT_EQ(c.joints.size(), 2U);
     EXPECT_EQ(parameters::joint_name(c, 0), "upper");
     EXPECT_EQ(parameters::joint_name(c, 1), "lower");
     EXPECT_EQ(c.joint().mass, 0.1);

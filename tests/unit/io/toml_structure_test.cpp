@@ -173,7 +173,7 @@ TEST(TomlStructure, HasPlacesAlongItsLineWhereAllAreKnown) {
 TEST(TomlStructure, IsPressedByALoadOrByGaps) {
     const std::string without = replaced(shared_sections, "preload = \"2 N\"\n", "");
     const Case loaded = read_structure_text(std::string(matrices) + "load = [0, -3]\n" + tip_contact + without);
-    EXPECT_FALSE(parameters::is_preloaded(*loaded.own_structure));
+    EXPECT_FALSE(parameters::is_preloaded(loaded));
     const Case pressed =
         read_structure_text(std::string(matrices) + tip_contact + "initial_gap = \"-0.1 mm\"\n" + without);
     EXPECT_EQ(pressed.own_structure->contacts[0].initial_gap, -1e-4);
@@ -194,7 +194,7 @@ TEST(TomlStructure, MayFlyTowardsTheSurface) {
     const std::string without = replaced(shared_sections, "preload = \"2 N\"\n", "");
     const Case c = read_structure_text(std::string(matrices) + "initial_velocity = [0, -1]\n" + tip_contact +
                                        "initial_gap = \"1 mm\"\n" + without);
-    EXPECT_FALSE(parameters::is_preloaded(*c.own_structure));
+    EXPECT_FALSE(parameters::is_preloaded(c));
     EXPECT_EQ(c.own_structure->contacts[0].initial_gap, 1e-3);
     expect_structure_refused(
         std::string(matrices) + "initial_velocity = [0, 0]\n" + tip_contact + "initial_gap = \"1 mm\"\n" + without,

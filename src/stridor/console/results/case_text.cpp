@@ -8,6 +8,7 @@
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -46,38 +47,31 @@ std::string temperature_table_text(const parameters::Case& c) {
     return text;
 }
 
-enum class Shown { all, joint, but_joint };
-
-std::string fields_text(parameters::CaseView at, Shown shown) {
-    std::string text;
-    std::string_view section;
-    for (const parameters::Field& field : parameters::fields()) {
-        if (!field.belongs(at) || field.section.empty()) continue;
-        const bool is_of_joint = parameters::is_of_joint(field);
-        if (shown != Shown::all && is_of_joint != (shown == Shown::joint)) continue;
-        if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
-        section = field.section;
-        const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
-        std::string value = parameters::value_text(at, field);
-        if (parameters::damping_ratio(at, field))
-            value =
-                fmt::format("{:.6g} {} ({})", parameters::get_quantity(at, field), parameters::unit_of(field), value);
-        if (parameters::temperature_column(at, field) != nullptr) value += ", over temperature";
-        text += fmt::format("{:<20} = {:<16} ", field.name, value) +
-                styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
-        if (field.section == "temperature") text += temperature_table_text(at.c);
-    }
-    return text;
+std::string field_line(parameters::CaseView at, const parameters::Field& field) {
+    const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
+    std::string value = parameters::value_text(at, field);
+    if (parameters::damping_ratio(at, field))
+        value = fmt::format("{:.6g} {} ({})", parameters::get_quantity(at, field), parameters::unit_of(field), value);
+    if (parameters::temperature_column(at, field) != nullptr) value += ", over temperature";
+    return fmt::format("{:<20} = {:<16} ", field.name, value) +
+           styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
 }
 
 // joint by joint, then what they share
 std::string fields_text(const parameters::Case& c) {
-    if (!parameters::has_several_joints(c)) return fields_text(c, Shown::all);
-    std::string text;
-    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
-        text += styled(parameters::joint_name(c, k), Style::bold, STDOUT_FILENO) + "\n" +
-                fields_text({c, k}, Shown::joint) + "\n";
-    return text + fields_text(c, Shown::but_joint);
+    std::string text, title;
+    for (const auto& [field, at, key] : parameters::fields_of(c)) {
+        if (!field.belongs(at) || field.section.empty()) continue;
+        const bool is_of_one = parameters::has_several_joints(c) && parameters::is_of_joint(field);
+        const std::string whose = is_of_one && field.section == "joint" ? parameters::joint_name(c, at.joint) : "";
+        const std::string opening = (whose.empty() ? "" : styled(whose, Style::bold, STDOUT_FILENO) + "\n") + "[" +
+                                    std::string(field.section) + "]\n";
+        if (opening != title) text += (text.empty() ? "" : "\n") + opening;
+        title = opening;
+        text += field_line(at, field);
+        if (field.section == "temperature") text += temperature_table_text(c);
+    }
+    return text;
 }
 
 // an own structure has more than a line holds
@@ -106,7 +100,7 @@ std::string contacts_text(const parameters::Case& c, const model::Structure& str
         const model::ContactPoint& contact = structure.contacts[k];
         // f0 = - sum of n N0 at rest: what presses this one is known where its preload is
         const std::string pressed =
-            parameters::is_preloaded(own) ? fmt::format("{:.4g} N", laws.preload) : std::string("-");
+            parameters::is_preloaded(c) ? fmt::format("{:.4g} N", laws.preload) : std::string("-");
         add_row(table, base::visible(own.contacts[k].name), pressed, fmt::format("{:.3g} m", contact.initial_gap),
                 fmt::format("{:g}", laws.kinetic_friction), fmt::format("{:g}", laws.static_friction),
                 fmt::format("{:g}", contact.drive_share));
@@ -139,7 +133,7 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
 }
 
 double exact_seconds_per_step(const parameters::Case& c) {
-    if (!c.own_structure && !parameters::has_several_joints(c)) return seconds_per_exact_step;
+    if (!parameters::has_named_contacts(c)) return seconds_per_exact_step;
     const auto contacts = static_cast<double>(parameters::contact_count(c));
     const auto modes = static_cast<double>(model::dofs_of_system(c));
     return seconds_per_taylor_step +

@@ -43,10 +43,8 @@ std::string drive_text(const parameters::Case& c) {
 }
 
 std::vector<TextColumn> verdict_columns(const parameters::Case& c) {
-    return {left("phase", 8),       left("category", 10),
-            right("slip", 8),       right("stick", 8),
-            right("separ.", 8),     right("regularity", 13),
-            right("frequency", 12), right(c.own_structure ? "level" : "joint level", 12)};
+    return {left("phase", 8),   left("category", 10),    right("slip", 8),       right("stick", 8),
+            right("separ.", 8), right("regularity", 13), right("frequency", 12), right(analysis::level_title(c), 12)};
 }
 
 std::vector<std::string> verdict_cells(const Verdict& verdict) {
@@ -111,8 +109,8 @@ std::string structure_text(const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
     std::string text = fmt::format(", {}: {} rows, {}\n", own.origin, own.row.size(),
                                    counted(own.contacts.size(), "contact", "contacts"));
-    text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact().preload)
-                                          : std::string("without a preload, ");
+    text += parameters::is_preloaded(c) ? fmt::format("preload {:g} N, ", c.contact().preload)
+                                        : std::string("without a preload, ");
     return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact().kinetic_friction, c.contact().static_friction);
 }
 
@@ -120,14 +118,13 @@ std::string structure_text(const parameters::Case& c) {
 std::string joints_text(const parameters::Case& c) {
     if (c.own_structure) return structure_text(c);
     std::string text;
-    for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const auto& [joint, contact, name, axial, flexural] = c.joints[k];
         text += parameters::has_several_joints(c) ? "  " + name + ": " : "";
         text += fmt::format("preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", contact.preload,
                             contact.kinetic_friction, contact.static_friction, joint.incidence_angle);
     }
-    return !parameters::has_several_joints(c) ? ", " + text
-                                              : fmt::format(", {} joints\n", parameters::joint_count(c)) + text;
+    return !parameters::has_several_joints(c) ? ", " + text : fmt::format(", {} joints\n", c.joints.size()) + text;
 }
 
 // names of an own structure's contacts are a file's
@@ -261,8 +258,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
         text += margin_lines(verdict.margins, 19, 17);
     }
     text += "\n" + left_out(c, verdicts) + only_this(c, verdicts) +
-            "A category names a vibration pattern of the model.\n" +
-            std::string(c.own_structure ? analysis::contact_level_note : analysis::level_note) + "\n";
+            "A category names a vibration pattern of the model.\n" + std::string(analysis::level_note(c)) + "\n";
     return text;
 }
 

@@ -58,9 +58,8 @@ std::string open_text(const parameters::Case& c, const analysis::SlidingStabilit
 
 // the least of several, or of an own structure, has no one preload to be a share of
 std::string normal_force_text(const parameters::Case& c, double normal_force) {
-    const bool has_one = !c.own_structure && !parameters::has_several_joints(c);
-    return has_one ? fmt::format("N/F {:8.4f}", normal_force / c.contact().preload)
-                   : fmt::format("N {:8.4g} N", normal_force);
+    return parameters::has_named_contacts(c) ? fmt::format("N {:8.4g} N", normal_force)
+                                             : fmt::format("N/F {:8.4f}", normal_force / c.contact().preload);
 }
 
 std::string header(const analysis::StabilityScan& scan) {

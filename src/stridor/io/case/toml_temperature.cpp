@@ -170,7 +170,7 @@ std::vector<Untold> read_temperature_table(const TomlDocument& document, paramet
     if (!has_temperature_list(document)) return {};
     Complaints own;
     const TomlEntry* nodes = document.find(nodes_key);
-    const std::vector<NamedList> lists = lists_of_joints(document, parameters::joint_count(c), own);
+    const std::vector<NamedList> lists = lists_of_joints(document, c.joints.size(), own);
     std::vector<double> at;
     if (nodes == nullptr)
         own.add({ErrorKind::input,

@@ -304,7 +304,7 @@ Json outcome_object(const Case& c, const integration::Motion& motion) {
     if (motion.silence) object["silence"] = object_of(silence_members, *motion.silence);
     if (motion.cycle) object["limit_cycle"] = object_of(cycle_members, *motion.cycle);
     if (motion.massless) object["massless"] = name_of(integration::reason_names, motion.massless->outcome.reason);
-    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+    const bool has_names = parameters::has_named_contacts(c);
     for (std::size_t k = 0; has_names && k < motion.last_set.size(); ++k)
         object["contacts"].push_back({{"name", parameters::contact_name(c, k)},
                                       {"state", name_of(model::contact_state_names, motion.last_set[k])}});
@@ -354,7 +354,7 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
     document["phases"] = Json::array();
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
         document["phases"].push_back(phase_object(c, verdicts[k]));
-        const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+        const bool has_names = parameters::has_named_contacts(c);
         if (has_names && k < motion.record.phases.size())
             put_contacts(document["phases"].back(), c, motion.record.phases[k]);
         if (motion.massless && k < motion.massless->phases.size() && integration::has_result(motion.massless->outcome))

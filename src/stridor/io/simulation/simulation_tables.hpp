@@ -28,7 +28,7 @@ inline std::vector<std::string> dof_names(const parameters::Case& c) {
     if (c.own_structure) return c.own_structure->row;
     if (!parameters::has_several_joints(c)) return {"x1", "y1", "y2"};
     std::vector<std::string> names;
-    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
+    for (std::size_t k = 0; k < c.joints.size(); ++k)
         for (const std::string_view direction : {"x_", "y_"})
             names.push_back(std::string(direction) + parameters::joint_name(c, k));
     names.emplace_back("y_plate");
@@ -40,11 +40,9 @@ inline std::vector<std::string> dof_names(const parameters::Case& c) {
 inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t count) {
     std::vector<std::string> names = dof_names(c);
     if (names.size() == count) return names;
-    if (c.own_structure && names.size() + c.own_structure->outputs.size() == count) {
-        for (const parameters::OwnOutput& output : c.own_structure->outputs)
-            names.push_back(output.name);
-        return names;
-    }
+    for (const parameters::OwnOutput& output : parameters::outputs_of(c))
+        names.push_back(output.name);
+    if (names.size() == count) return names;
     names.clear();
     for (std::size_t k = 1; k <= count; ++k)
         names.push_back("u" + std::to_string(k));
