@@ -132,21 +132,21 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
     return text;
 }
 
-double exact_seconds_per_step(const parameters::Case& c) {
+double exact_seconds_per_step(const parameters::Case& c, const model::Structure& structure) {
     if (!parameters::has_named_contacts(c)) return seconds_per_exact_step;
-    const auto contacts = static_cast<double>(parameters::contact_count(c));
-    const auto modes = static_cast<double>(model::dofs_of_system(c));
+    const auto contacts = static_cast<double>(structure.contacts.size());
+    const auto modes = static_cast<double>(model::dofs_of(structure));
     return seconds_per_taylor_step +
            contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact);
 }
 
-std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
+std::string cost_text(const parameters::Case& c, const model::Structure& structure, const integration::Cost& cost) {
     if (c.run.engine == parameters::Engine::exact)
         return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
-                           cost.steps * exact_seconds_per_step(c));
+                           cost.steps * exact_seconds_per_step(c, structure));
     if (c.run.engine == parameters::Engine::moreau) {
-        const auto size =
-            static_cast<double>(model::dofs_of_system(c)) * static_cast<double>(parameters::contact_count(c));
+        const double size =
+            static_cast<double>(model::dofs_of(structure)) * static_cast<double>(structure.contacts.size());
         const double seconds = seconds_per_moreau_step + seconds_per_mode_and_contact * size;
         return fmt::format(
             "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest step {:.4g} s\n",
@@ -192,7 +192,7 @@ std::string case_text(const parameters::Case& c, const integration::Cost& cost) 
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
            (c.own_structure ? contacts_text(c, structure) : "\n") + "undamped natural frequencies\n" +
-           frequencies_text(c, structure) + belief_text(c, structure) + cost_text(c, cost);
+           frequencies_text(c, structure) + belief_text(c, structure) + cost_text(c, structure, cost);
 }
 
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size) {
