@@ -324,14 +324,19 @@ test("units are a choice of the browser: what is sent stays the same to the last
     assert.equal(await field.inputValue(), "1.5 kN/m");
     const [value, address] = [await moved(), said()];
     await settled(page);
+    // what the design before still asks for (its fine motion, its surroundings) may come late: it asks for that design
     const requests = [];
-    page.on("request", (request) => requests.push(request.url()));
+    page.on("request", (request) => requests.push([new URL(request.url()).pathname, request.postDataJSON()?.set]));
     await page.locator("#units").selectOption("engineering");
     assert.equal(await field.inputValue(), "1.5 N/mm");
     assert.equal(await page.locator('[data-field="joint.mass"]').inputValue(), "4.001 g");
     assert.match(await page.locator("#mechanism-readout").innerText(), /V\s=\s-?[\d.]+\smm\/s/);
     assert.equal(said(), address);
-    assert.deepEqual(requests, []);
+    const late = ["/api/motion", "/api/design"];
+    assert.deepEqual(
+      requests.filter(([path, set]) => !late.includes(path) || set.length > 0),
+      [],
+    );
     assert.equal(await moved(), value);
     assert.equal(said(), address);
     // a number alone is in the unit that is shown, as the program reads it
