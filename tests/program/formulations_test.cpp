@@ -84,6 +84,23 @@ TEST_F(Formulations, SayInWordsHowFarTheyAreApart) {
     EXPECT_EQ(text.find("the formulations disagree") == std::string::npos, both["massless"]["agrees"]) << text;
 }
 
+// the longest step is that of the formulation which asks for the shorter one
+TEST_F(Formulations, TakeAStepThatBothCanTake) {
+    const auto limit = [&](const std::string& formulation) {
+        return json_of(simulated(formulation, "--json"))["engine"]["step_limit"].get<double>();
+    };
+    const double standard = limit("standard"), massless = limit("massless");
+    EXPECT_LT(1.03 * massless, standard);
+    EXPECT_EQ(limit("both"), massless);
+    const auto check = [&](const std::string& formulation) {
+        return run({"check", "-", "--set", "run.formulation=" + formulation, "--set",
+                    "run.step=" + json(1.02 * massless).dump()},
+                   {}, text_);
+    };
+    EXPECT_EQ(check("standard").exit_code, 0);
+    EXPECT_EQ(check("both").exit_code, 2);
+}
+
 // the mass of a joint stands at its contact
 TEST_F(Formulations, OfJointsIsTheStandardOne) {
     const Finished finished = run({"simulate", "-", "--set", "run.engine=moreau", "--set", "run.formulation=both"}, {},

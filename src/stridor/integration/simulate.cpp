@@ -17,7 +17,9 @@
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -69,17 +71,18 @@ Motion run_any_size(const parameters::Case& c, const model::Structure& structure
 }  // namespace
 
 Cost cost(const parameters::Case& c) {
-    if (parameters::is_without_inertia(c))
-        return {std::ceil(1.5 * c.run.duration / c.run.step),
-                0.5 * longest_step(massless_structure(model::structure_of(c), c.run.massless_above))};
+    const double steps = std::ceil(1.5 * c.run.duration / c.run.step);  // at the step and at twice the step
+    const auto limit_without_inertia = [&] {
+        return longest_step(massless_structure(model::structure_of(c), c.run.massless_above));
+    };
+    if (parameters::is_without_inertia(c)) return {steps, 0.5 * limit_without_inertia()};
     const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
     if (c.run.engine == Engine::exact)
         return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
-    // at the step and at twice the step
-    const double limit =
-        c.run.engine == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
-    const auto formulations = static_cast<double>(parameters::methods_of(c).size());
-    return {std::ceil(1.5 * c.run.duration / c.run.step) * formulations, 0.5 * limit};
+    double limit = c.run.engine == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
+    const std::size_t formulations = parameters::methods_of(c).size();
+    if (formulations > 1) limit = std::min(limit, limit_without_inertia());
+    return {steps * static_cast<double>(formulations), 0.5 * limit};
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {

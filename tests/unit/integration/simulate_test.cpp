@@ -42,8 +42,6 @@ TEST(Cost, OfMoreauIsThatOfTwoRuns) {
     c.run.step = 1e-6;
     EXPECT_EQ(cost(c).steps, 1.5e6);
     EXPECT_NEAR(cost(c).step_limit, 1.5707963267948966e-4, 1e-12);
-    c.run.formulation = parameters::Formulation::both;
-    EXPECT_EQ(cost(c).steps, 3e6);
 }
 
 TEST(Simulate, ComparesTwoSteps) {
