@@ -18,6 +18,7 @@ import type {
   RunEnding,
   Scale,
   Silence,
+  VerdictFigures,
 } from "../program/words.ts";
 import type { Axis } from "../state/state.ts";
 
@@ -113,35 +114,15 @@ export interface Margin {
   error?: number | null;
 }
 
-export interface Levels {
-  rms: number | null;
-  peak: number | null;
-  level: number | null;
-  peak_level: number | null;
-}
-
-export interface Verdict {
+export interface Verdict extends VerdictFigures {
   category: Category;
   quiet_because: QuietReason | null;
-  rates: Rates;
-  judged_rates: Rates;
   /** Of an engine that compares two time steps: by how much its rates changed. */
   step_change?: Rates;
   judged_step_change?: Rates;
-  regularity: number | null;
-  repetition: number | null;
-  variation: number | null;
   mismatch: (number | null)[];
-  intervals: number;
-  releases: number;
-  lag: number;
   beat: { from: ContactState; to: ContactState };
-  period: number | null;
-  frequency: number | null;
-  normal_force: { preload: number; largest: number };
-  /** How the normal force of a contact that sticks goes with the way it is dragged. */
-  drag: { from: number | null; to: number | null; way: number | null; slope: number | null };
-  levels: { joint: Levels; plate: Levels; reference: string };
+  levels: VerdictFigures["levels"] & { reference: string };
   margins: Margin[];
   reasons: string[];
   warnings: string[];

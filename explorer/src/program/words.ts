@@ -203,3 +203,77 @@ export interface Mode {
   /** 0 of a real eigenvalue [Hz] */
   frequency: number;
 }
+
+/** The figures of a verdict. */
+export interface VerdictFigures {
+  rates: {
+    /** share of the window in slip [1] */
+    slip: number;
+    /** share of the window in stick [1] */
+    stick: number;
+    /** share of the window in separation [1] */
+    separation: number;
+  };
+  judged_rates: {
+    /** share of the judged time in slip [1] */
+    slip: number;
+    /** share of the judged time in stick [1] */
+    stick: number;
+    /** share of the judged time in separation [1] */
+    separation: number;
+  };
+  /** regularity of the beats: 1 when all intervals are equal [1] */
+  regularity: number | null;
+  /** repetition of the pattern, perhaps after several unequal beats [1] */
+  repetition: number | null;
+  /** coefficient of variation of the intervals between beats [1] */
+  variation: number | null;
+  /** number of intervals between beats */
+  intervals: number;
+  /** number of sticks that ended in the judged time */
+  releases: number;
+  /** beats per period of the pattern */
+  lag: number;
+  /** period of the pattern [s] */
+  period: number | null;
+  /** dominant frequency of the alternation [Hz] */
+  frequency: number | null;
+  normal_force: {
+    /** normal force at rest [N] */
+    preload: number;
+    /** largest normal force in the judged time, where states end [N] */
+    largest: number;
+  };
+  drag: {
+    /** normal force where the last stick began, without vibration [N] */
+    from: number | null;
+    /** normal force at the end of the run, without vibration [N] */
+    to: number | null;
+    /** way over which the contact was dragged in between [m] */
+    way: number | null;
+    /** how the normal force goes on with the way [N/m] */
+    slope: number | null;
+  };
+  levels: {
+    joint: {
+      /** root mean square velocity of the joint [m/s] */
+      rms: number | null;
+      /** peak velocity of the joint [m/s] */
+      peak: number | null;
+      /** velocity level of the joint [dB re 1e-9 m/s] */
+      level: number | null;
+      /** peak velocity level of the joint [dB re 1e-9 m/s] */
+      peak_level: number | null;
+    };
+    plate: {
+      /** root mean square velocity of the plate [m/s] */
+      rms: number | null;
+      /** peak velocity of the plate [m/s] */
+      peak: number | null;
+      /** velocity level of the plate [dB re 1e-9 m/s] */
+      level: number | null;
+      /** peak velocity level of the plate [dB re 1e-9 m/s] */
+      peak_level: number | null;
+    };
+  };
+}

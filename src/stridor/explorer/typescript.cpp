@@ -1,5 +1,6 @@
 #include "stridor/explorer/typescript.hpp"
 
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/classification/verdict.hpp"
@@ -21,8 +22,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -154,6 +159,42 @@ std::string record_types() {
     return lines;
 }
 
+// what an evidence has no number for before anything was judged is null in documents
+bool is_always_there(const analysis::EvidenceFigure& figure) {
+    analysis::Evidence nothing;
+    const double none = analysis::Alternation::unknown;
+    nothing.levels = {{none, none, none, none}, {none, none, none, none}};
+    return std::isfinite(figure.value(nothing));
+}
+
+// the figures of a verdict, each where its key says: "levels.joint.rms" in an object in an object
+std::string figures_type() {
+    std::string lines = "\n/** The figures of a verdict. */\nexport interface VerdictFigures {\n";
+    WordList place;  // the objects that are open
+    const auto indent = [&] { return std::string(2 * (place.size() + 1), ' '); };
+    for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
+        WordList path;  // of the objects that hold it
+        std::string_view key = figure.key;
+        for (std::size_t dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+            path.emplace_back(key.substr(0, dot));
+            key.remove_prefix(dot + 1);
+        }
+        const auto shared = static_cast<std::size_t>(
+            std::mismatch(place.begin(), place.end(), path.begin(), path.end()).first - place.begin());
+        for (; place.size() > shared; lines += indent() + "};\n")
+            place.pop_back();
+        for (; place.size() < path.size(); place.push_back(path[place.size()]))
+            lines += fmt::format("{}{}: {{\n", indent(), path[place.size()]);
+        const bool is_count = figure.holds == analysis::EvidenceFigure::Holds::count;
+        lines += fmt::format("{0}/** {1}{2} */\n{0}{3}: number{4};\n", indent(), figure.sentence,
+                             is_count ? "" : fmt::format(" [{}]", figure.unit), key,
+                             is_always_there(figure) ? "" : " | null");
+    }
+    for (; !place.empty(); lines += indent() + "};\n")
+        place.pop_back();
+    return lines + "}\n";
+}
+
 // what case documents show of a contact of [structure]; what the case says for all, and numbers, are always there
 std::string contact_type() {
     std::string lines =
@@ -201,7 +242,7 @@ std::string words() {
            words_as_type("How steady sliding answers to a small push.", "stabilityKinds", "StabilityKind",
                          words_of(analysis::stability_names)) +
            words_as_type("What is known of a cell in numbers.", "figureNames", "FigureName", figure_names()) +
-           contact_type() + record_types();
+           contact_type() + record_types() + figures_type();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "stridor/explorer/typescript.hpp"
 
+#include "stridor/analysis/evidence.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -43,6 +45,18 @@ TEST(Typescript, HasTheRecordsOfSimulations) {
         for (const auto& member : record.members)
             EXPECT_TRUE(holds(typescript("words"), "  " + std::string(member.key) + ": " + std::string(member.type)))
                 << member.key;
+}
+
+TEST(Typescript, HasTheFiguresOfVerdicts) {
+    const std::string words = typescript("words");
+    const std::string type = words.substr(words.find("export interface VerdictFigures {\n"));
+    EXPECT_TRUE(holds(type, "  normal_force: {\n    /** normal force at rest [N] */\n    preload: number;\n"));
+    EXPECT_TRUE(holds(type,
+                      "    plate: {\n      /** root mean square velocity of the plate [m/s] */\n"
+                      "      rms: number | null;\n"));
+    for (const auto& figure : stridor::analysis::evidence_figures())
+        EXPECT_TRUE(holds(type, "/** " + std::string(figure.sentence))) << figure.key;
+    EXPECT_EQ(std::count(type.begin(), type.end(), '{'), std::count(type.begin(), type.end(), '}'));
 }
 
 // prettier would break longer ones, and the copies would differ from what is written
