@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/analysis/stability_scan.hpp"
-#include "stridor/io/case/own_structure/structure_matrices.hpp"
+#include "stridor/io/structure/part_files.hpp"
 
 #include <Eigen/Core>
 

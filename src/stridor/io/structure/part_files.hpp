@@ -1,8 +1,12 @@
 #pragma once
 
 #include "stridor/io/structure/listed_matrix.hpp"
+#include "stridor/reduction/part.hpp"
+
+#include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +23,15 @@ struct PartFiles {
 
 /// Returns their names in a row, separated by commas.
 std::string origin(const PartFiles& files);
+
+/// A part with what it is made from.
+struct NamedPart {
+    reduction::ElasticPart part;  // checked (`reduction::expect_sound`), in SI
+    std::string origin;
+    std::vector<reduction::RowLabel> recovered{};  // further rows of a reduced part, and their motion
+    Eigen::MatrixXd recovery{};                    // [1] shape [recovered][row]
+    double left_out_above = 0.0;                   // [Hz] of a boundary without mass; 0: no modes were
+};
 
 /// Opens a file; returns `std::nullopt` if it does not exist.
 using FileOpener = std::function<std::optional<structure::StructureInput>(const std::string& path)>;

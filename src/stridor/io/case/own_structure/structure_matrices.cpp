@@ -1,7 +1,6 @@
 #include "stridor/io/case/own_structure/structure_matrices.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/structure/part_files.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/raw_signal.hpp"

@@ -2,23 +2,11 @@
 
 #include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/io/structure/field_scanner.hpp"
-#include "stridor/reduction/part.hpp"
-
-#include <Eigen/Core>
+#include "stridor/io/structure/part_files.hpp"
 
 #include <string>
-#include <vector>
 
 namespace stridor::io {
-
-/// A part with what it is made from.
-struct NamedPart {
-    reduction::ElasticPart part;  // checked (`reduction::expect_sound`), in SI
-    std::string origin;
-    std::vector<reduction::RowLabel> recovered{};  // further rows of a reduced part, and their motion
-    Eigen::MatrixXd recovery{};                    // [1] shape [recovered][row]
-    double left_out_above = 0.0;                   // [Hz] of a boundary without mass; 0: no modes were
-};
 
 /// The matrices of [structure] with the labels of their rows: in the file itself (`mass = [[...]]`, `rows`), as CSV or
 /// Matrix Market (`mass = "m.mtx"`, `labels`), or a part of a finite-element program, reduced or not (`file`, `units`).
