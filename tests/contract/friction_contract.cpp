@@ -31,7 +31,27 @@ TEST_P(FrictionContract, OpposesTheSlip) {
 TEST_P(FrictionContract, SlipsWithNoMoreThanItSticksWith) {
     for (const Slip way : slips)
         for (const double speed : speeds)
-            EXPECT_LE(std::abs(slip_ratio(law(), way, sign_of(way) * speed)), stick_limit(law(), way)) << speed;
+            EXPECT_LE(std::abs(slip_ratio(law(), way, sign_of(way) * speed)),
+                      stick_limit(law(), way) + GetParam().rise * speed)
+                << speed;
+}
+
+TEST_P(FrictionContract, BeginsASlipWithNoMoreThanItSticksWith) {
+    for (const Slip way : slips)
+        EXPECT_LE(std::abs(slip_ratio(law(), way)), stick_limit(law(), way));
+}
+
+TEST_P(FrictionContract, StaysWithinItsSlopes) {
+    const model::SlopeRange range = slope_range(law());
+    EXPECT_LE(range.least, 0.0);
+    EXPECT_GE(range.most, 0.0);
+    const double rounding = 1e-12 * (range.most - range.least);
+    for (const Slip way : slips)
+        for (const double speed : speeds) {
+            const double slope = -slip_ratio_slope(law(), way, sign_of(way) * speed);
+            EXPECT_GE(slope, range.least - rounding) << speed;
+            EXPECT_LE(slope, range.most + rounding) << speed;
+        }
 }
 
 TEST_P(FrictionContract, HasTheSlopeOfItsRatio) {
@@ -139,6 +159,20 @@ INSTANTIATE_TEST_SUITE_P(Linear, FrictionContract,
                          testing::Values(FrictionUnderTest{"falling", model::Linear{0.8, 0.6, 0.5}},
                                          FrictionUnderTest{"falling_to_none", model::Linear{0.5, 0.2, 7.0}}),
                          testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(
+    Stribeck, FrictionContract,
+    testing::Values(FrictionUnderTest{"exponential", model::Stribeck{{0.8, 0.6, 0.05, 1.0, 0.0}}},
+                    FrictionUnderTest{"gaussian", model::Stribeck{{0.8, 0.2, 0.1, 2.0, 0.0}}},
+                    FrictionUnderTest{"of_another_power", model::Stribeck{{0.8, 0.2, 0.1, 3.5, 0.0}}},
+                    FrictionUnderTest{"viscous", model::Stribeck{{0.5, 0.3, 0.05, 1.0, 0.01}}, 0.01}),
+    testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(
+    RationalStribeck, FrictionContract,
+    testing::Values(FrictionUnderTest{"of_leine", model::RationalStribeck{{1.0, 0.0, 1.0 / 3.0, 1.0, 0.0}}},
+                    FrictionUnderTest{"of_hess_and_soom", model::RationalStribeck{{0.5, 0.3, 0.1, 2.0, 0.02}}, 0.02}),
+    testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stridor::contract

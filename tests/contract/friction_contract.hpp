@@ -13,6 +13,7 @@ namespace stridor::contract {
 struct FrictionUnderTest {
     std::string name;
     model::FrictionLaw law;
+    double rise = 0.0;  // [s/m] of a slip, by viscosity: the only way above the limit of the stick
 };
 
 inline void PrintTo(const FrictionUnderTest& friction, std::ostream* out) {

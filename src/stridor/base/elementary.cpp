@@ -10,11 +10,25 @@
 // truncation error below (pi/4)^19/19! = 8e-20 and (pi/4)^20/20! = 3e-21; q selects and signs the pair.
 // logarithm: x = m 2^e with m in [1/sqrt 2, sqrt 2), s = (m-1)/(m+1), ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.1716,
 // truncated after s^21/21: relative error s^22/23 < 1e-18. power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
+// exponential: x = k ln 2 + f, |f| <= 0.3466, Taylor to degree 14: 0.3466^15/15! < 1e-19.
 namespace stridor::base {
 
 namespace {
 
 constexpr double ln_2 = 0.693147180559945309417;
+// ln 2 in two parts: the first has 32 trailing zero bits, so that a whole number times it is exact
+constexpr double ln_2_high = 0x1.62e42feep-1;
+constexpr double ln_2_low = 0x1.a39ef35793c76p-33;
+// [rad] of 0/8, 1/8, ..., 8/8
+constexpr double arctangents_of_eighths[] = {0.0,
+                                             0.12435499454676143503,
+                                             0.24497866312686415417,
+                                             0.35877067027057222040,
+                                             0.46364760900080611621,
+                                             0.55859931534356243597,
+                                             0.64350110879328438680,
+                                             0.71882999962162450542,
+                                             0.78539816339744830962};
 constexpr double decibels_per_octave = 6.020599913279623904275;  // 20 log10(2)
 
 double sine_series(double x) {
@@ -110,6 +124,54 @@ double power_of_2(double x) {
     for (int k = 17; k >= 1; --k)
         sum = 1.0 + sum * f / k;
     return std::ldexp(sum, static_cast<int>(whole));
+}
+
+double exponential(double x) {
+    STRIDOR_EXPECT(x < 700.0);
+    if (x < -700.0) return 0.0;
+    const double whole = std::nearbyint(x / ln_2);
+    const double f = (x - whole * ln_2_high) - whole * ln_2_low;
+    double sum = 1.0 / 87178291200.0;  // 1/14!
+    sum = sum * f + 1.0 / 6227020800.0;
+    sum = sum * f + 1.0 / 479001600.0;
+    sum = sum * f + 1.0 / 39916800.0;
+    sum = sum * f + 1.0 / 3628800.0;
+    sum = sum * f + 1.0 / 362880.0;
+    sum = sum * f + 1.0 / 40320.0;
+    sum = sum * f + 1.0 / 5040.0;
+    sum = sum * f + 1.0 / 720.0;
+    sum = sum * f + 1.0 / 120.0;
+    sum = sum * f + 1.0 / 24.0;
+    sum = sum * f + 1.0 / 6.0;
+    sum = sum * f + 0.5;
+    return std::ldexp(1.0 + (f + f * f * sum), static_cast<int>(whole));
+}
+
+double power(double x, double y) {
+    STRIDOR_EXPECT(x >= 0.0 && y >= 0.0);
+    if (y == 0.0) return 1.0;
+    if (x == 0.0) return 0.0;
+    if (y == 1.0) return x;
+    if (y == 2.0) return x * x;
+    const double doublings = y * logarithm_2(x);
+    if (doublings < -999.0) return 0.0;
+    return power_of_2(doublings < 999.0 ? doublings : 999.0);
+}
+
+double arctangent(double x) {
+    STRIDOR_EXPECT(x >= 0.0);
+    // near a sixteenth of a right angle its tangent is known: arctan x = that + arctan((x - t)/(1 + x t))
+    const bool is_steep = x > 1.0;
+    const double flat = is_steep ? 1.0 / x : x;
+    const auto step = static_cast<std::size_t>(8.0 * flat + 0.5);
+    const double t = 0.125 * static_cast<double>(step);
+    const double rest = (flat - t) / (1.0 + flat * t);
+    const double z = rest * rest;
+    double sum = 0.0;  // the series to rest^17/17; |rest| <= 1/16: it ends below 2e-22
+    for (int k = 17; k >= 3; k -= 2)
+        sum = (1.0 / k - sum) * z;
+    const double angle = arctangents_of_eighths[step] + (rest - rest * sum);
+    return is_steep ? (0.25 * two_pi - angle) : angle;
 }
 
 double decibels(double ratio) {

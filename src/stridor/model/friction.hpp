@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 /// Friction of a contact. A law is a struct of its numbers and the functions below; the engines hold a `FrictionLaw`,
 /// call these and know no law.
@@ -39,6 +41,13 @@ constexpr Slip slip_against(double friction_force) {
     return friction_force > 0.0 ? Slip::backward : Slip::forward;
 }
 
+/// Between what slopes over the speed of slip a coefficient stays.
+struct SlopeRange {
+    double least = 0.0;  // [s/m] at most 0: how fast it falls
+    double most = 0.0;   // [s/m] at least 0: how fast it rises
+    bool operator==(const SlopeRange&) const = default;
+};
+
 /// Coulomb friction with two coefficients, the same both ways and independent of the slip velocity (Elmaian et al.
 /// 2012, Figure 3):
 ///
@@ -52,6 +61,7 @@ struct Coulomb {
     double limit(Slip) const { return static_coefficient; }
     double resistance(Slip, double) const { return kinetic_coefficient; }
     double resistance_slope(Slip, double) const { return 0.0; }
+    SlopeRange slopes() const { return {}; }
     bool operator==(const Coulomb&) const = default;
 };
 
@@ -67,6 +77,7 @@ struct Directional {
     double limit(Slip way) const { return static_coefficients[index_of(way)]; }
     double resistance(Slip way, double) const { return kinetic_coefficients[index_of(way)]; }
     double resistance_slope(Slip, double) const { return 0.0; }
+    SlopeRange slopes() const { return {}; }
     bool operator==(const Directional&) const = default;
 };
 
@@ -88,10 +99,133 @@ struct Linear {
         return left > 0.0 ? left : 0.0;
     }
     double resistance_slope(Slip, double speed) const { return slope * speed < kinetic_coefficient ? -slope : 0.0; }
+    SlopeRange slopes() const { return {-slope, 0.0}; }
     bool operator==(const Linear&) const = default;
 };
 
-using FrictionLaw = std::variant<Coulomb, Directional, Linear>;
+/// The numbers of Stribeck's curve: friction that falls from mu_s, where a slip begins, towards mu_d, and rises again
+/// with the viscosity of what lies between the surfaces.
+///
+/// mu_d <= mu_s, so that friction never rises as a slip begins but by k_v. delta >= 1: below it friction falls
+/// infinitely fast at w = 0, and a slip that begins has no certain course (w' grows as w to a power below 1).
+struct StribeckCurve {
+    double static_coefficient = 0.0;   // [1] mu_s
+    double kinetic_coefficient = 0.0;  // [1] mu_d <= mu_s, far beyond v_s
+    double velocity = 1.0;             // [m/s] v_s > 0
+    double exponent = 1.0;             // [1] delta >= 1
+    double viscous = 0.0;              // [s/m] k_v >= 0
+    bool operator==(const StribeckCurve&) const = default;
+
+    // no steeper than this: x^(delta - 1) exp(-x^delta) and x^(delta - 1)/(1 + x^delta)^2 are at most 1
+    SlopeRange slopes() const { return {-exponent * (static_coefficient - kinetic_coefficient) / velocity, viscous}; }
+};
+
+/// Stribeck friction, exponential:
+///
+///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d) exp(-(|w|/v_s)^delta) + k_v |w|) N
+///
+/// It is continuous: a slip begins with mu_s. Source: R. Stribeck 1902 for the curve; L. C. Bo and D. Pavelescu 1982 for
+/// the exponential (delta = 1 is Tustin's, 2 a Gaussian curve); B. Armstrong-Helouvry and others 1994.
+struct Stribeck {
+    static constexpr auto kind = parameters::FrictionKind::stribeck;
+
+    StribeckCurve curve;
+
+    double limit(Slip) const { return curve.static_coefficient; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return curve.slopes(); }
+    bool operator==(const Stribeck&) const = default;
+};
+
+/// Stribeck friction, rational:
+///
+///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d)/(1 + (|w|/v_s)^delta) + k_v |w|) N
+///
+/// Source: R. I. Leine and others 1998, whose F_s/(1 + 3 |w|) has mu_d = 0, v_s = 1/3 m/s and delta = 1; Hess and Soom
+/// 1990 for delta = 2.
+struct RationalStribeck {
+    static constexpr auto kind = parameters::FrictionKind::stribeck_rational;
+
+    StribeckCurve curve;
+
+    double limit(Slip) const { return curve.static_coefficient; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return curve.slopes(); }
+    bool operator==(const RationalStribeck&) const = default;
+};
+
+/// A curve through measured rows: straight between them, or cubic without a new peak or valley. It ends level: beyond
+/// its last row its last value holds.
+///
+/// Source: F. N. Fritsch and R. E. Carlson 1980, with the slopes of F. N. Fritsch and J. Butland 1984: at a row the
+/// harmonic mean of those beside it, weighted by their widths, and 0 at a peak or valley.
+struct MeasuredCurve {
+    std::vector<double> speeds;        // [m/s] rising from 0, shape [row]
+    std::vector<double> coefficients;  // [1] shape [row]
+    std::vector<double> slopes;        // [s/m] at the rows if cubic; straight if empty
+    bool operator==(const MeasuredCurve&) const = default;
+};
+/// Returns the curve through rows of speed [m/s] and coefficient [1], two at least.
+MeasuredCurve measured_curve(const std::vector<double>& speeds, const std::vector<double>& coefficients,
+                             parameters::Interpolation interpolation);
+
+/// Friction as measured over the slip velocity:
+///
+///     stick  |T| <= mu_s N        slip  T = -sign(w) mu(|w|) N
+///
+/// mu_s is that of the table at rest, or more: then it drops as a slip begins. Above mu_s no row counts.
+struct Measured {
+    static constexpr auto kind = parameters::FrictionKind::table;
+
+    double static_coefficient = 0.0;             // [1] mu_s
+    std::shared_ptr<const MeasuredCurve> curve;  // shared: it is never changed
+    SlopeRange range;                            // [s/m] of the curve
+
+    double limit(Slip) const { return static_coefficient; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return range; }
+    bool operator==(const Measured& other) const {
+        return static_coefficient == other.static_coefficient && *curve == *other.curve;
+    }
+};
+
+/// Friction without a stick, as programs have it that cannot stick; for comparison only:
+///
+///     T = -mu_d tanh(w/v_r) N        or        T = -mu_d (2/pi) arctan(w/v_r) N
+///
+/// Where a contact should stick it creeps. The smaller v_r, the slower it creeps, and the stiffer the motion.
+struct SmoothStep {
+    double coefficient = 0.0;  // [1] mu_d
+    double velocity = 1.0;     // [m/s] v_r > 0
+    bool operator==(const SmoothStep&) const = default;
+};
+struct Tanh {
+    static constexpr auto kind = parameters::FrictionKind::tanh;
+
+    SmoothStep step;
+
+    double limit(Slip) const { return 0.0; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return {0.0, step.coefficient / step.velocity}; }
+    bool operator==(const Tanh&) const = default;
+};
+struct Arctan {
+    static constexpr auto kind = parameters::FrictionKind::arctan;
+
+    SmoothStep step;
+
+    double limit(Slip) const { return 0.0; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return {0.0, step.coefficient / step.velocity}; }
+    bool operator==(const Arctan&) const = default;
+};
+
+using FrictionLaw = std::variant<Coulomb, Directional, Linear, Stribeck, RationalStribeck, Measured, Tanh, Arctan>;
 
 /// Returns the law's kind, by which a case names it.
 inline parameters::FrictionKind kind_of(const FrictionLaw& law) {
@@ -129,6 +263,12 @@ inline double slip_ratio_slope(const FrictionLaw& law, Slip way, double slip_vel
     const double speed = way == Slip::forward ? slip_velocity : -slip_velocity;
     if (speed < 0.0) return 0.0;
     return std::visit([=](const auto& each) { return -each.resistance_slope(way, speed); }, law);
+}
+
+/// Returns between what slopes over the speed of slip the law's coefficient stays: steps tell from it whether they
+/// leave more than one lawful slip.
+inline SlopeRange slope_range(const FrictionLaw& law) {
+    return std::visit([](const auto& each) { return each.slopes(); }, law);
 }
 
 /// Says whether a contact can stick with these forces [N]. It cannot if N < 0.

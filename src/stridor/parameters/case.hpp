@@ -60,23 +60,52 @@ enum class ImpactKind {
 
 /// The law of friction.
 enum class FrictionKind {
-    coulomb,      // two coefficients, the same both ways
-    directional,  // two coefficients each way: bristles, fibres, a grain
-    linear,       // that of the slip falls linearly with the slip velocity
+    coulomb,            // two coefficients, the same both ways
+    directional,        // two coefficients each way: bristles, fibres, a grain
+    linear,             // that of the slip falls linearly with the slip velocity
+    stribeck,           // it falls from mu_s to mu_d by an exponential of the slip velocity
+    stribeck_rational,  // it falls by a quotient
+    table,              // it is measured over the slip velocity
+    tanh,               // no stick: a smooth step through zero, for comparison with other programs
+    arctan,             // a slower one
 };
 
 /// Are coefficients of the law the same as long as the contact sticks, or slips one way?
 constexpr bool is_state_wise(FrictionKind kind) {
-    return kind != FrictionKind::linear;
+    return kind == FrictionKind::coulomb || kind == FrictionKind::directional;
 }
+
+/// Does the law put a steep slope in the place of sticking? Such motions creep where they should stick.
+constexpr bool is_regularised(FrictionKind kind) {
+    return kind == FrictionKind::tanh || kind == FrictionKind::arctan;
+}
+
+/// How friction runs between the rows of a table over the slip velocity.
+enum class Interpolation {
+    cubic,   // monotone from row to row, with a continuous slope
+    linear,  // straight from row to row
+};
+
+/// Friction as measured over the slip velocity.
+struct FrictionTable {
+    std::string file;                  // a CSV with the columns speed and friction; empty: the rows stand in the case
+    std::vector<double> speeds;        // [m/s] rising from 0, shape [row]
+    std::vector<double> coefficients;  // [1] there, shape [row]
+};
 
 /// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or another law.
 struct Contact {
     double preload = 20.0;  // [N] F, pressing force at rest
     FrictionKind friction = FrictionKind::coulomb;
-    double static_friction = 0.8;          // [1] mu_s
-    double kinetic_friction = 0.6;         // [1] mu_d, of a slip that begins, at most mu_s
-    double friction_slope = 0.5;           // [s/m] linear: by how much mu_d falls per slip velocity, down to 0
+    double static_friction = 0.8;     // [1] mu_s
+    double kinetic_friction = 0.6;    // [1] mu_d, of a slip that begins, at most mu_s
+    double friction_slope = 0.5;      // [s/m] linear: by how much mu_d falls per slip velocity, down to 0
+    double stribeck_velocity = 0.05;  // [m/s] stribeck: v_s, a slip velocity over which mu_s falls to mu_d
+    double stribeck_exponent = 1.0;   // [1] stribeck: delta, of the slip velocity over v_s, at least 1
+    double viscous_friction = 0.0;    // [s/m] stribeck: k_v, by how much friction rises per slip velocity
+    FrictionTable friction_table{};   // table
+    Interpolation interpolation = Interpolation::cubic;  // table
+    double regularisation = 1e-3;                        // [m/s] tanh, arctan: v_r, the width of the step through zero
     double static_friction_coming = 0.8;   // [1] directional: mu_s where the plate drags the joint coming, T < 0
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;

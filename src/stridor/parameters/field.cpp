@@ -19,7 +19,8 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> friction_names{"coulomb", "directional", "linear"};
+constexpr std::array<std::string_view, 5> friction_names{"coulomb", "directional", "linear", "stribeck",
+                                                         "stribeck-rational"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
@@ -128,7 +129,9 @@ const std::array table{
           quantity<&PlateJoint::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
     Field{
         "contact", "friction", "",
-        "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity",
+        "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity, by a "
+        "line "
+        "or by Stribeck's curve",
         choice<&PlateJoint::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
         always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
@@ -140,6 +143,14 @@ const std::array table{
     Field{"contact", "friction_slope", "s_mu", "by how much mu_d falls per slip velocity, down to 0",
           quantity<&PlateJoint::contact, &Contact::friction_slope>("s/m", not_negative, octaves(0.05, 5.0)),
           has_friction_slope},
+    Field{"contact", "stribeck_velocity", "v_s", "slip velocity over which friction falls from mu_s towards mu_d",
+          quantity<&PlateJoint::contact, &Contact::stribeck_velocity>("m/s", positive, octaves(0.005, 0.5)),
+          has_stribeck_curve},
+    Field{"contact", "stribeck_exponent", "delta", "power of the slip velocity over v_s: 1, 2, or any from 1 to 20",
+          quantity<&PlateJoint::contact, &Contact::stribeck_exponent>("1", Range{1.0, 20.0}), has_stribeck_curve},
+    Field{"contact", "viscous_friction", "k_v", "by how much friction rises per slip velocity",
+          quantity<&PlateJoint::contact, &Contact::viscous_friction>("s/m", not_negative, between(0.0, 1.0)),
+          has_stribeck_curve},
     Field{"contact", "static_friction_coming", "mu_sc",
           "mu_s of the other way, in which a coming plate drags the joint",
           quantity<&PlateJoint::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),

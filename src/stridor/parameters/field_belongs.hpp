@@ -72,6 +72,10 @@ inline bool has_friction_each_way(CaseView at) {
 inline bool has_friction_slope(CaseView at) {
     return at.own().contact.friction == FrictionKind::linear;
 }
+inline bool has_stribeck_curve(CaseView at) {
+    const FrictionKind kind = at.own().contact.friction;
+    return kind == FrictionKind::stribeck || kind == FrictionKind::stribeck_rational;
+}
 inline bool rebounds(CaseView at) {
     return at.own().contact.impact == ImpactKind::restitution;
 }

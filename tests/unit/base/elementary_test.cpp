@@ -115,6 +115,48 @@ TEST(Power, OfWholeNumbersIsExact) {
         EXPECT_EQ(power_of_2(exponent), std::ldexp(1.0, exponent));
 }
 
+RC_GTEST_PROP(Exponential, IsAccurate, ()) {
+    const double x = 699.0 * *signed_fraction();
+    RC_ASSERT(relative_error(exponential(x), std::exp(static_cast<long double>(x))) < 4e-16L);
+    const double small = std::ldexp(*signed_fraction(), -*whole_between(0, 60));
+    RC_ASSERT(relative_error(exponential(small), std::exp(static_cast<long double>(small))) < 4e-16L);
+}
+
+TEST(Exponential, OfVeryLittleIsNothing) {
+    EXPECT_EQ(exponential(0.0), 1.0);
+    EXPECT_EQ(exponential(-701.0), 0.0);
+    EXPECT_EQ(exponential(-1e300), 0.0);
+}
+
+RC_GTEST_PROP(Power, OfAnyBaseIsAccurate, ()) {
+    const double x = std::ldexp(1.5 + 0.5 * *signed_fraction(), *whole_between(-40, 40));
+    const double y = 10.0 * (1.0 + *signed_fraction());
+    const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(y));
+    RC_ASSERT(relative_error(power(x, y), exact) < 1e-15L * (1.0L + std::abs(y * std::log2(x))));
+}
+
+TEST(Power, OfAFewExponentsIsExact) {
+    for (const double x : {0.0, 0.3, 1.0, 7.1}) {
+        EXPECT_EQ(power(x, 0.0), 1.0);
+        EXPECT_EQ(power(x, 1.0), x);
+        EXPECT_EQ(power(x, 2.0), x * x);
+    }
+    EXPECT_EQ(power(0.0, 0.5), 0.0);
+    EXPECT_EQ(power(1e-300, 20.0), 0.0);
+    EXPECT_EQ(power(1e300, 20.0), std::ldexp(1.0, 999));
+}
+
+RC_GTEST_PROP(ArcTangent, IsAccurate, ()) {
+    const double x = std::ldexp(1.5 + 0.5 * *signed_fraction(), *whole_between(-60, 60));
+    RC_ASSERT(relative_error(arctangent(x), std::atan(static_cast<long double>(x))) < 4e-16L);
+}
+
+TEST(ArcTangent, EndsAtARightAngle) {
+    EXPECT_EQ(arctangent(0.0), 0.0);
+    EXPECT_NEAR(arctangent(1.0), std::atan(1.0), 2e-16);
+    EXPECT_EQ(arctangent(std::numeric_limits<double>::infinity()), std::atan(std::numeric_limits<double>::infinity()));
+}
+
 TEST(Decibels, OfAmplitudeRatios) {
     EXPECT_EQ(decibels(1.0), 0.0);
     // relative error of the logarithm, 1e-15
