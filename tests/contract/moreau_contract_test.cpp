@@ -15,6 +15,13 @@ void choose_falling_moreau(parameters::Case& c) {
     c.contact().friction_slope = 0.05;
 }
 
+void choose_stribeck_moreau(parameters::Case& c) {
+    choose_moreau(c);
+    c.contact().friction = parameters::FrictionKind::stribeck;
+    c.contact().stribeck_velocity = 4.0;  // it falls by 0.05 s/m at most
+    c.contact().viscous_friction = 0.01;
+}
+
 void choose_massless(parameters::Case& c) {
     choose_moreau(c);
     c.run.formulation = parameters::Formulation::massless;
@@ -29,6 +36,11 @@ const EngineUnderTest falling_moreau{.name = "moreau_with_falling_friction",
                                      .energy_tolerance = 1e-5,
                                      .unstable_step = 1e-3};
 
+const EngineUnderTest stribeck_moreau{.name = "moreau_with_stribeck_friction",
+                                      .choose = choose_stribeck_moreau,
+                                      .energy_tolerance = 1e-5,
+                                      .unstable_step = 1e-3};
+
 // Forces are those that hold places: at rest they answer the flexibility of what has no inertia to 1e-4.
 const EngineUnderTest massless{.name = "massless",
                                .choose = choose_massless,
@@ -38,7 +50,7 @@ const EngineUnderTest massless{.name = "massless",
                                .force_share = 1e-4,
                                .starts_stuck = false};
 
-INSTANTIATE_TEST_SUITE_P(Steps, EngineContract, testing::Values(moreau, falling_moreau, massless),
+INSTANTIATE_TEST_SUITE_P(Steps, EngineContract, testing::Values(moreau, falling_moreau, stribeck_moreau, massless),
                          testing::PrintToStringParamName());
 
 }  // namespace

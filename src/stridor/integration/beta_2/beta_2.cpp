@@ -9,7 +9,7 @@
 // move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
 // n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks,
 // else T is its share of N and N closes the gap. Where that share changes with the slip velocity wₙ = t.vₙ - Vₙ,
-// Newton's method finds the one that is of the wₙ it leaves.
+// it is the one that is of the wₙ it leaves: by Newton's method, and the fastest such slip where there may be several.
 //
 // Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
 
@@ -17,6 +17,7 @@
 
 #include "stridor/integration/proofs/sticking.hpp"
 #include "stridor/integration/rules/expect_solvable.hpp"
+#include "stridor/integration/rules/fastest_slip.hpp"
 #include "stridor/integration/run/energy_held.hpp"
 #include "stridor/integration/run/step_loop.hpp"
 #include "stridor/model/contact_forces.hpp"
@@ -78,9 +79,10 @@ struct Coefficients {
     double nn, nt, tt;                    // [1/kg] [n t]ᵀ A⁻¹ [n t]
     std::array<SlipLaw, 2> slip;          // shape [slip]
     model::FrictionLaw friction;
-    bool is_state_wise;  // `slip` is of any slip velocity
-    Matrix damping;      // C
-    Vector load;         // f0
+    bool is_state_wise;        // `slip` is of any slip velocity
+    model::SlopeRange slopes;  // [s/m] of the friction
+    Matrix damping;            // C
+    Vector load;               // f0
 };
 
 template <int dofs>
@@ -109,6 +111,7 @@ Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::F
     const double tt = c.tt = structure.tangent.dot(c.from_tangent);
     c.friction = friction;
     c.is_state_wise = is_state_wise(friction);
+    c.slopes = slope_range(friction);
     model::require_no_painleve(nn, nt, friction);
     const double determinant = c.end_of_step * (nn * tt - nt * nt);
     c.stick_nn = tt / determinant;
@@ -143,9 +146,26 @@ struct Step {
     ContactState contact = ContactState::separation;
 };
 
+// [m/s] by how much a slip velocity changes per T/N, at most; N (Wnn + ratio Wnt) is `push`
+template <int dofs>
+double slip_reach(const Coefficients<dofs>& c, model::Slip way, double push) {
+    const double giving = std::min(c.nn, c.nn + c.slip[index_of(way)].ratio * c.nt);
+    return c.half_velocity * push * (c.tt * c.nn - c.nt * c.nt) / (giving * giving);
+}
+
 // N and T of a slip whose friction changes with its velocity, which is `free` [m/s] without them
 template <int dofs>
 void press_by_velocity(const Coefficients<dofs>& c, model::Slip way, double gap, double free, Step<dofs>& now) {
+    const double push = -gap / c.end_of_step;
+    if (const double reach = slip_reach(c, way, push); !is_gentle(c.slopes, reach)) {
+        const auto velocity_at = [&](double ratio) {
+            now.normal_force = push / (c.nn + ratio * c.nt);
+            now.friction_force = ratio * now.normal_force;
+            return free + c.half_velocity * (c.tt * now.friction_force + c.nt * now.normal_force);
+        };
+        velocity_at(ratio_of_fastest_slip(c.friction, way, reach, velocity_at).value_or(c.slip[index_of(way)].ratio));
+        return;
+    }
     double w = free;
     for (int turn = 0; turn < most_slip_turns; ++turn) {
         const double ratio = slip_ratio(c.friction, way, w);

@@ -6,6 +6,7 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/rules/fastest_slip.hpp"
 #include "stridor/integration/rules/painleve.hpp"
 #include "stridor/integration/rules/set_search.hpp"
 
@@ -23,6 +24,7 @@ constexpr double least_force_pivot = 1e-13;  // [1] of the diagonal: contacts wi
 constexpr long exchanges_per_row = 20;       // before the tableau begins anew: rounding adds up
 constexpr double ratio_rounding = 1e-12;     // [1] of a T/N that changes with the slip velocity
 constexpr int most_ratio_turns = 40;         // Newton's steps; two are usual: a step changes a velocity by little
+constexpr int most_ratio_rounds = 400;       // through all slips, one by one
 
 }  // namespace
 
@@ -114,13 +116,50 @@ std::vector<std::size_t> StepContacts::changing_slips() const {
     return slips;
 }
 
+// does Newton's method alone find the ratios?
+bool StepContacts::is_gentle_step(const std::vector<std::size_t>& slips) const {
+    return std::all_of(slips.begin(), slips.end(), [&](std::size_t k) {
+        const std::size_t normal = plan_.first[k];
+        const double reach = std::abs(tableau_.entry(normal + 1, normal + 1) * tableau_.follows(normal));
+        return is_gentle(slope_range(structure_.contacts[k].friction), reach);
+    });
+}
+
+bool StepContacts::settle_ratios() {
+    const std::vector<std::size_t> slips = changing_slips();
+    return slips.empty() || (is_gentle_step(slips) && settle_together(slips)) || settle_one_by_one(slips);
+}
+
+// from no friction; a contact that is pulled opens later, and its ratio says nothing
+bool StepContacts::settle_one_by_one(const std::vector<std::size_t>& slips) {
+    for (const std::size_t k : slips)
+        set_friction(plan_.first[k] + 1, 0.0);
+    for (int round = 0; round < most_ratio_rounds; ++round) {
+        double changed = 0.0;
+        for (const std::size_t k : slips) {
+            const std::size_t normal = plan_.first[k], row = normal + 1;
+            const double before = friction_[row], N = tableau_.follows(normal);
+            if (!(N > 0.0)) continue;
+            const auto velocity_at = [&](double ratio) {
+                set_friction(row, ratio);
+                return tableau_.follows(row);
+            };
+            const std::optional<double> ratio = ratio_of_fastest_slip(
+                structure_.contacts[k].friction, way_of(set_[k]), std::abs(tableau_.entry(row, row) * N), velocity_at);
+            if (!ratio) return false;
+            set_friction(row, *ratio);
+            changed = std::max(changed, std::abs(*ratio - before));
+        }
+        if (changed <= ratio_rounding) return true;
+    }
+    return false;
+}
+
 // Newton's method for ratios that are those of the slip velocities they leave. A change dr of contact l changes T there
 // by N dr beside ratio N (D: slip velocities per unit of that), so r_k - ratio_k(w_k) changes by
 //
 //     dr_k - ratio_k' sum D_kl N_l dr_l
-bool StepContacts::settle_ratios() {
-    const std::vector<std::size_t> slips = changing_slips();
-    if (slips.empty()) return true;
+bool StepContacts::settle_together(const std::vector<std::size_t>& slips) {
     const auto count = static_cast<Eigen::Index>(slips.size());
     for (int turn = 0; turn < most_ratio_turns; ++turn) {
         Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(count, count);

@@ -21,7 +21,8 @@ namespace stridor::integration {
 /// the direction of each slip follows from Newton's method over the angles of all (step_directions.cpp), to rounding.
 ///
 /// Where friction changes with the slip velocity the ratio of each slip follows likewise from Newton's method: it is
-/// that of the velocity at the step's end.
+/// that of the velocity at the step's end. Where it falls so fast that several may be, one slip after the other takes
+/// the fastest (`ratio_of_fastest_slip`), until none changes.
 ///
 /// Begins with the states of the step before, and changes the contact that is farthest from its law until none is. A
 /// limit that broke is that of the slip until the step has ended. The solved system of a set of states is kept and
@@ -58,6 +59,9 @@ private:
     std::vector<std::size_t> turning();
     std::vector<std::size_t> changing_slips() const;
     bool settle_ratios();
+    bool is_gentle_step(const std::vector<std::size_t>& slips) const;
+    bool settle_together(const std::vector<std::size_t>& slips);
+    bool settle_one_by_one(const std::vector<std::size_t>& slips);
     bool is_pressed_by(std::size_t contact, ContactMode mode) const;
     bool has_painleve(std::size_t contact, model::Slip way) const;
     void rebuild();
