@@ -64,6 +64,11 @@ class Contact(Section):
     static_friction: Quantity
     kinetic_friction: Quantity
     friction_slope: Quantity
+    stribeck_velocity: Quantity
+    stribeck_exponent: Quantity
+    viscous_friction: Quantity
+    friction_table: Word
+    interpolation: Word
     static_friction_coming: Quantity
     kinetic_friction_coming: Quantity
     impact: Word

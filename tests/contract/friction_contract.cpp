@@ -174,5 +174,19 @@ INSTANTIATE_TEST_SUITE_P(
                     FrictionUnderTest{"of_hess_and_soom", model::RationalStribeck{{0.5, 0.3, 0.1, 2.0, 0.02}}, 0.02}),
     testing::PrintToStringParamName());
 
+model::FrictionLaw measured(parameters::Interpolation interpolation) {
+    parameters::Contact contact;
+    contact.friction = parameters::FrictionKind::table;
+    contact.static_friction = 0.9;
+    contact.friction_table = {"", {0.0, 0.02, 0.1, 0.8, 2.0}, {0.85, 0.7, 0.5, 0.55, 0.6}};
+    contact.interpolation = interpolation;
+    return model::friction_law(contact);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, FrictionContract,
+                         testing::Values(FrictionUnderTest{"cubic", measured(parameters::Interpolation::cubic)},
+                                         FrictionUnderTest{"linear", measured(parameters::Interpolation::linear)}),
+                         testing::PrintToStringParamName());
+
 }  // namespace
 }  // namespace stridor::contract

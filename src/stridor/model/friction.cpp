@@ -107,7 +107,9 @@ MeasuredCurve measured_curve(const std::vector<double>& speeds, const std::vecto
 
 double Measured::resistance(Slip, double speed) const {
     const MeasuredCurve& c = *curve;
+    // both ends hold
     if (speed >= c.speeds.back()) return std::min(c.coefficients.back(), static_coefficient);
+    if (speed <= c.speeds.front()) return std::min(c.coefficients.front(), static_coefficient);
     const std::size_t k = row_before(c, speed);
     const double width = c.speeds[k + 1] - c.speeds[k], x = (speed - c.speeds[k]) / width;
     const double rise = c.coefficients[k + 1] - c.coefficients[k];
@@ -121,7 +123,7 @@ double Measured::resistance(Slip, double speed) const {
 
 double Measured::resistance_slope(Slip, double speed) const {
     const MeasuredCurve& c = *curve;
-    if (speed >= c.speeds.back()) return 0.0;
+    if (speed >= c.speeds.back() || speed < c.speeds.front()) return 0.0;
     const std::size_t k = row_before(c, speed);
     const double width = c.speeds[k + 1] - c.speeds[k], x = (speed - c.speeds[k]) / width;
     const double secant = (c.coefficients[k + 1] - c.coefficients[k]) / width;
@@ -164,8 +166,11 @@ StribeckCurve curve_of(const parameters::Contact& contact) {
 
 Measured measured(const parameters::Contact& contact) {
     const parameters::FrictionTable& table = contact.friction_table;
-    auto curve =
-        std::make_shared<const MeasuredCurve>(measured_curve(table.speeds, table.coefficients, contact.interpolation));
+    // the rows of a file that is not read yet are unknown: a case without any is refused
+    const double limit = contact.static_friction;
+    auto curve = std::make_shared<const MeasuredCurve>(
+        table.speeds.size() < 2 ? MeasuredCurve{{0.0, 1.0}, {limit, limit}, {}}
+                                : measured_curve(table.speeds, table.coefficients, contact.interpolation));
     const SlopeRange range = range_of(*curve);
     return {contact.static_friction, std::move(curve), range};
 }

@@ -15,7 +15,9 @@ namespace {
 
 // does a line of it stand in the canonical text?
 bool is_canonical(CaseView at, const Field& field) {
-    const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
+    const auto* text = std::get_if<Text>(&field.kind);
+    // a title or a file name changes no result
+    const bool names_a_thing = text != nullptr && text->means != Text::Means::numbers;
     const bool follows = temperature_column(at, field) != nullptr;
     const bool is_content = is_of_builder(field);  // structure.content says it
     return field.belongs(at) && !names_a_thing && !is_content && !follows && !goes_without_saying(at, field);

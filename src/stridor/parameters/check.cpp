@@ -3,6 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/engines.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/field_belongs.hpp"
 #include "stridor/parameters/friction_keys.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -39,6 +40,43 @@ void check_friction(CaseView at, const FrictionKeys& keys, std::vector<Finding>&
                      {keys.limit}});
 }
 
+// [m/s] of a drive that may come from a file
+double fastest_surface(const Drive& drive) {
+    double most = is_of_file(drive) ? 0.0 : greatest_speed(drive);
+    for (const double velocity : drive.velocities)
+        if (is_of_file(drive)) most = std::max(most, std::abs(velocity));
+    return most;
+}
+
+// friction as measured: below mu_s, and over what the surface alone makes of it
+void check_friction_table(CaseView at, std::vector<Finding>& found) {
+    const Contact& contact = at.own().contact;
+    const FrictionTable& table = contact.friction_table;
+    if (contact.friction != FrictionKind::table) return;
+    if (table.speeds.empty()) {
+        found.push_back({"contact.friction_table",
+                         {"contact.friction_table has no rows", "the file \"" + table.file + "\" was not read", ""},
+                         {"contact.friction"}});
+        return;
+    }
+    for (std::size_t k = 0; k < table.speeds.size(); ++k)
+        if (table.coefficients[k] > contact.static_friction) {
+            found.push_back(
+                {"contact.friction_table",
+                 {"row " + std::to_string(k + 1) + " of contact.friction_table, " + shortest(table.coefficients[k]) +
+                      ", exceeds mu_s = " + shortest(contact.static_friction),
+                  "a slip may not rub more than what ends a stick", "Raise static_friction."},
+                 {"contact.static_friction"}});
+            return;
+        }
+    if (const double fastest = fastest_surface(at.c.drive); fastest > table.speeds.back())
+        found.push_back({"contact.friction_table",
+                         {"contact.friction_table ends at " + shortest(table.speeds.back()) + " m/s",
+                          "the surface alone moves with " + shortest(fastest) + " m/s, and nothing is known there",
+                          "Measure up to there, or move it more slowly."},
+                         {"drive.kind", "drive.velocity", "drive.amplitude", "drive.frequency", "drive.file"}});
+}
+
 // where all contacts say one of them themselves, the case's own says nothing
 void check_contact(CaseView at, std::vector<Finding>& found) {
     for (const FrictionKeys& keys : friction_keys)
@@ -52,7 +90,12 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
         const OwnContact& own = c.own_structure->contacts[k];
         if (!own.static_friction && !own.kinetic_friction) continue;
         const Contact laws = contact_of(c, k);
-        if (c.contact().friction == FrictionKind::directional)
+        if (has_friction_table(c) || has_no_stick(c))
+            found.push_back({"contact.friction",
+                             {"contact \"" + own.name + "\" has friction coefficients of its own",
+                              "a table, or friction without a stick, is that of all contacts",
+                              "Take them out, or use \"coulomb\"."}});
+        else if (c.contact().friction == FrictionKind::directional)
             found.push_back({"contact.friction",
                              {"contact \"" + own.name + "\" has friction coefficients of its own",
                               "other ones each way are those of all contacts", "Take them out, or use \"coulomb\"."}});
@@ -280,6 +323,7 @@ std::vector<Finding> findings_at(CaseView at) {
     if (c.own_structure) check_own_structure(c, found);
     find_unsolvable(at, found);
     check_contact(at, found);
+    check_friction_table(at, found);
     check_drive(c, found);
     check_run(c, found);
     check_verdict(c, found);

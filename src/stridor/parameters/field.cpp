@@ -8,6 +8,7 @@
 #include "stridor/parameters/damping_ratio.hpp"
 #include "stridor/parameters/field_belongs.hpp"
 #include "stridor/parameters/field_ranges.hpp"
+#include "stridor/parameters/friction_table.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -19,8 +20,9 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> friction_names{"coulomb", "directional", "linear", "stribeck",
-                                                         "stribeck-rational"};
+constexpr std::array<std::string_view, 6> friction_names{"coulomb",  "directional",       "linear",
+                                                         "stribeck", "stribeck-rational", "table"};
+constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
@@ -77,6 +79,11 @@ constexpr Text title{[](CaseView at) { return at.c.title; },
 constexpr Text drive_file{[](CaseView at) { return at.c.drive.file; },
                           [](CaseToSet at, std::string_view text) { at.c.drive.file = text; }, Text::Means::file};
 
+constexpr Text friction_table{
+    [](CaseView at) { return friction_table_text(at.own().contact.friction_table); },
+    [](CaseToSet at, std::string_view text) { at.own().contact.friction_table = parse_friction_table(text); },
+    Text::Means::numbers};
+
 const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
 
@@ -129,9 +136,7 @@ const std::array table{
           quantity<&PlateJoint::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
     Field{
         "contact", "friction", "",
-        "law of friction: the same both ways, other coefficients each way, or falling with the slip velocity, by a "
-        "line "
-        "or by Stribeck's curve",
+        "law of friction: the same both ways, other coefficients each way, or changing with the slip velocity",
         choice<&PlateJoint::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
         always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
@@ -143,14 +148,20 @@ const std::array table{
     Field{"contact", "friction_slope", "s_mu", "by how much mu_d falls per slip velocity, down to 0",
           quantity<&PlateJoint::contact, &Contact::friction_slope>("s/m", not_negative, octaves(0.05, 5.0)),
           has_friction_slope},
-    Field{"contact", "stribeck_velocity", "v_s", "slip velocity over which friction falls from mu_s towards mu_d",
+    Field{"contact", "stribeck_velocity", "v_s", "slip velocity over which mu_s falls towards mu_d",
           quantity<&PlateJoint::contact, &Contact::stribeck_velocity>("m/s", positive, octaves(0.005, 0.5)),
           has_stribeck_curve},
-    Field{"contact", "stribeck_exponent", "delta", "power of the slip velocity over v_s: 1, 2, or any from 1 to 20",
-          quantity<&PlateJoint::contact, &Contact::stribeck_exponent>("1", Range{1.0, 20.0}), has_stribeck_curve},
+    Field{"contact", "stribeck_exponent", "delta", "power of the slip velocity over v_s, 1 or 2 as a rule",
+          quantity<&PlateJoint::contact, &Contact::stribeck_exponent>("1", Range{1.0, 20.0}, between(1.0, 2.0)),
+          has_stribeck_curve},
     Field{"contact", "viscous_friction", "k_v", "by how much friction rises per slip velocity",
           quantity<&PlateJoint::contact, &Contact::viscous_friction>("s/m", not_negative, between(0.0, 1.0)),
           has_stribeck_curve},
+    Field{"contact", "friction_table", "", "rows of speed and friction, \"0: 0.8, 10 mm/s: 0.6\", or their CSV file",
+          friction_table, has_friction_table},
+    Field{"contact", "interpolation", "", "between the rows: monotone cubic or linear",
+          choice<&PlateJoint::contact, &Contact::interpolation, Interpolation>(interpolation_names),
+          has_friction_table},
     Field{"contact", "static_friction_coming", "mu_sc",
           "mu_s of the other way, in which a coming plate drags the joint",
           quantity<&PlateJoint::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),

@@ -65,7 +65,8 @@ struct Choice {
 struct Text {
     std::string (*get)(CaseView);
     void (*set)(CaseToSet, std::string_view text);
-    enum class Means { words, file } means = Means::words;  // a file is opened: who is not trusted may not name one
+    // a file is opened: who is not trusted may not name one; numbers decide the motion
+    enum class Means { words, file, numbers } means = Means::words;
 };
 
 /// One settable thing.

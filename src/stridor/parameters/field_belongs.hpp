@@ -30,11 +30,17 @@ inline bool all_say(CaseView at) {
     return at.c.own_structure && std::all_of(at.c.own_structure->contacts.begin(), at.c.own_structure->contacts.end(),
                                              [](const OwnContact& contact) { return (contact.*member).has_value(); });
 }
+inline bool has_friction_table(CaseView at) {
+    return at.own().contact.friction == FrictionKind::table;
+}
+inline bool has_no_stick(CaseView at) {
+    return is_regularised(at.own().contact.friction);
+}
 inline bool has_static_friction(CaseView at) {
-    return !all_say<&OwnContact::static_friction>(at);
+    return !has_no_stick(at) && !all_say<&OwnContact::static_friction>(at);
 }
 inline bool has_kinetic_friction(CaseView at) {
-    return !all_say<&OwnContact::kinetic_friction>(at);
+    return !has_friction_table(at) && !all_say<&OwnContact::kinetic_friction>(at);
 }
 inline bool is_sinusoidal(CaseView at) {
     return at.c.drive.kind == DriveKind::sinusoidal;

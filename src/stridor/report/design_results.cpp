@@ -5,6 +5,7 @@
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/range_text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
@@ -158,12 +159,16 @@ io::AxisTexts usual_axes(const parameters::Case& c, int points) {
     return {io::write_axis_text(x), io::write_axis_text(y)};
 }
 
-// over the friction, or over the temperature that it follows
+// over the friction, or over the temperature that it follows; of a table, which is no number, over what a chart has
 analysis::ScanRange telling_range(const Case& design) {
     constexpr std::string_view friction = "contact.kinetic_friction";
     const std::vector<double>& at = design.temperature.at;
     if (parameters::temperature_column(design, friction) != nullptr)
         return {"temperature.value", at.front(), at.back()};
+    if (!parameters::belongs(design, friction)) {
+        const sweep::Axis x = sweep::usual_axes(design, 2).first;
+        return {x.parameter, x.from, x.to};
+    }
     return {std::string(friction), 0.0, design.contact().static_friction};
 }
 

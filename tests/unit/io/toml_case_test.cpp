@@ -1,8 +1,10 @@
 #include "stridor/io/case/toml_case.hpp"
 
 #include "io_support.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/canary.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -321,6 +323,57 @@ TEST(TomlCase, TakesNoPipeForASampledDrive) {
         const auto error = error_of([&] { read(cases_with_samples(path).front()); });
         expect_error(error, "drive.file: cannot read", "case.toml:19:8");
     }
+}
+
+std::string measured(const std::string& table) {
+    const std::string text =
+        replaced(minimal, "kinetic_friction = 0.6\n", "friction = \"table\"\nfriction_table = \"" + table + "\"\n");
+    return text + "[run]\nengine = \"beta_2\"\n";
+}
+
+TEST(TomlCase, ReadsATableOfFriction) {
+    const Case c = read(measured("0: 0.8, 50 mm/s: 0.6, 0.2: 0.55"));
+    EXPECT_EQ(c.contact().friction_table.speeds, (std::vector<double>{0.0, 0.05, 0.2}));
+    EXPECT_EQ(c.contact().interpolation, parameters::Interpolation::cubic);
+    const auto error = refusal(measured("0: 0.8, 0.2: 0.6, 0.1: 0.5"));
+    expect_error(error, "row 3 of the table of friction has 0.1 m/s after 0.2 m/s", "case.toml:16:18");
+    expect_error(refusal(replaced(measured("0: 0.8, 1: 0.6"), "[run]\nengine = \"beta_2\"\n", "")),
+                 "the exact engine knows no friction that changes with the slip velocity", "case.toml:15:12");
+}
+
+TEST(TomlCase, ReadsATableOfFrictionFromItsFile) {
+    const support::ScratchFolder folder;
+    storage::write_file(folder / "rubber.csv", "speed [mm/s],friction\n0,0.8\n100,0.6\n");
+    const std::string path = (folder / "case.toml").string();
+    const Case c = read_case(TomlSource{measured("rubber.csv"), path, {}});
+    EXPECT_EQ(c.contact().friction_table.speeds, (std::vector<double>{0.0, 0.1}));
+    // what is kept of it has the rows
+    const Case kept = read(case_toml(c, {}));
+    EXPECT_EQ(parameters::canonical_text(kept), parameters::canonical_text(c));
+    expect_error(error_of([] { read(measured("none.csv")); }), "cannot read", "case.toml:16:18");
+    EXPECT_TRUE(error_of([] {
+                    read_case(parse_toml({measured("rubber.csv"), "case.toml", {}}), readers_without_files());
+                }).has_value());
+}
+
+TEST(TomlCase, RefusesStribeckNumbersThatMeanNothing) {
+    const std::string text = replaced(minimal, "static_friction = 0.8\n",
+                                      "static_friction = 0.8\nfriction = \"stribeck\"\nstribeck_velocity = 0.05\n") +
+                             "[run]\nengine = \"beta_2\"\n";
+    EXPECT_EQ(read(text).contact().stribeck_exponent, 1.0);
+    const auto refused = [&](const char* from, const char* to, const char* says, const char* place) {
+        expect_error(refusal(replaced(text, from, to)), says, place);
+    };
+    const std::string velocity = "stribeck_velocity = 0.05";
+    refused(velocity.c_str(), "stribeck_velocity = 0", "contact.stribeck_velocity", "case.toml:16:21");
+    refused(velocity.c_str(), (velocity + "\nstribeck_exponent = 0.5").c_str(), "contact.stribeck_exponent",
+            "case.toml:17:21");
+    refused(velocity.c_str(), (velocity + "\nviscous_friction = -1").c_str(), "contact.viscous_friction",
+            "case.toml:17:20");
+    refused("kinetic_friction = 0.6", "kinetic_friction = 0.9", "mu_d = 0.9 exceeds mu_s = 0.8", "case.toml:17:20");
+    refused("kinetic_friction = 0.6", "kinetic_friction = -0.1", "contact.kinetic_friction", "case.toml:17:20");
+    refused("engine = \"beta_2\"", "engine = \"exact\"", "the exact engine knows no friction that changes",
+            "case.toml:15:12");
 }
 
 TEST(TomlCase, NeedsTheFileOfASampledDrive) {

@@ -41,6 +41,7 @@ Case random_case() {
         if (quantity != nullptr && field.section != "temperature") quantity->set(c, random_value(*quantity));
     }
     if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
+    c.contact().friction_table = {"", {0.0, 0.05, 1e9}, std::vector<double>(3, 0.5 * c.contact().static_friction)};
     c.contact().kinetic_friction = c.contact().static_friction * 0.7;
     c.contact().kinetic_friction_coming = c.contact().static_friction_coming * 0.7;
     c.drive.ramp = 0.1 / c.drive.frequency;

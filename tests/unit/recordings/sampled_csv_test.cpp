@@ -95,5 +95,20 @@ TEST(SampledCsv, RefusesEmptyFilesAndOtherEncodings) {
     expect_error(refusal("\xFF\xFEt\0,\0"), "Save it as UTF-8", "d.csv:1:1");
 }
 
+// friction over the speed of slip is read in the same way
+TEST(FrictionCsv, FindsItsColumnsAndUnits) {
+    const SampledFriction table = read_friction_csv("friction;speed [mm/s]\n0,8;0\n0,6;50\n", "f.csv");
+    EXPECT_EQ(table.speeds, (std::vector<double>{0.0, 0.05}));
+    EXPECT_EQ(table.coefficients, (std::vector<double>{0.8, 0.6}));
+    EXPECT_EQ(read_friction_csv("0,0.8\n1,0.5\n", "f.csv").coefficients, (std::vector<double>{0.8, 0.5}));
+}
+
+TEST(FrictionCsv, OfWhatIsNoFunctionIsRefusedWithItsPlace) {
+    const auto refusal_of = [](std::string_view text) { return error_of([&] { read_friction_csv(text, "f.csv"); }); };
+    expect_error(refusal_of("speed,friction\n0,0.8\n0.1,0.6\n0.1,0.5\n"), "the speeds do not increase", "f.csv:4:1");
+    expect_error(refusal_of("speed,mu\n0,0.8\n"), "there is no column friction", "f.csv:1:1");
+    expect_error(refusal_of("speed,friction\n0,wet\n"), "is not a number", "f.csv:2:3");
+}
+
 }  // namespace
 }  // namespace stridor::recordings

@@ -104,6 +104,18 @@ std::string only_this(const parameters::Case& c, const std::vector<Verdict>& ver
                        parameters::value_text(c, *parameters::find_field("run.initial")));
 }
 
+// "mu_d 0.6, mu_s 0.8", and what else the law has
+std::string coefficients_text(const parameters::Contact& contact) {
+    using parameters::FrictionKind;
+    if (contact.friction == FrictionKind::table)
+        return fmt::format("friction by a table of {} rows, mu_s {:g}", contact.friction_table.speeds.size(),
+                           contact.static_friction);
+    const bool is_stribeck =
+        contact.friction == FrictionKind::stribeck || contact.friction == FrictionKind::stribeck_rational;
+    return fmt::format("mu_d {:g}, mu_s {:g}", contact.kinetic_friction, contact.static_friction) +
+           (is_stribeck ? fmt::format(", v_s {:g} m/s", contact.stribeck_velocity) : "");
+}
+
 // what an own structure is pressed and rubs with
 std::string structure_text(const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
@@ -111,7 +123,7 @@ std::string structure_text(const parameters::Case& c) {
                                    counted(own.contacts.size(), "contact", "contacts"));
     text += parameters::is_preloaded(c) ? fmt::format("preload {:g} N, ", c.contact().preload)
                                         : std::string("without a preload, ");
-    return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact().kinetic_friction, c.contact().static_friction);
+    return text + coefficients_text(c.contact()) + "\n";
 }
 
 // what the joints rub with
@@ -121,8 +133,8 @@ std::string joints_text(const parameters::Case& c) {
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const auto& [joint, contact, name, axial, flexural] = c.joints[k];
         text += parameters::has_several_joints(c) ? "  " + name + ": " : "";
-        text += fmt::format("preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", contact.preload,
-                            contact.kinetic_friction, contact.static_friction, joint.incidence_angle);
+        text += fmt::format("preload {:g} N, {}, incidence angle {:g} deg\n", contact.preload,
+                            coefficients_text(contact), joint.incidence_angle);
     }
     return !parameters::has_several_joints(c) ? ", " + text : fmt::format(", {} joints\n", c.joints.size()) + text;
 }

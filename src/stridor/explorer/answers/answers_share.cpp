@@ -32,7 +32,9 @@ std::string plain_value(const Case& c, const Field& field) {
 std::vector<std::string> changes(const Case& from, const Case& to) {
     std::vector<std::string> set;
     for (const Field& field : parameters::fields()) {
-        if (!field.belongs(to) || std::holds_alternative<parameters::Text>(field.kind)) continue;
+        const auto* text = std::get_if<parameters::Text>(&field.kind);
+        const bool is_words = text != nullptr && text->means != parameters::Text::Means::numbers;
+        if (!field.belongs(to) || is_words) continue;
         const std::string wanted = plain_value(to, field);
         if (!field.belongs(from) || plain_value(from, field) != wanted)
             set.push_back(parameters::key_of(field) + "=" + wanted);

@@ -7,6 +7,7 @@
 #include "stridor/io/case/toml_joints.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/parameters/friction_table.hpp"
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
@@ -202,16 +203,40 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
+// the rows of tables of friction whose files the case names; where the rows stand in it, none is opened
+void read_friction(Case& c, const TomlDocument& document, const FrictionReader& friction) {
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint) {
+        parameters::FrictionTable& table = c.joints[joint].contact.friction_table;
+        const TomlEntry* entry = document.find("contact.friction_table", joint);
+        const bool is_meant = c.joints[joint].contact.friction == parameters::FrictionKind::table;
+        if (!is_meant || entry == nullptr || !table.speeds.empty()) continue;
+        const std::filesystem::path folder =
+            entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
+        try {
+            recordings::SampledFriction rows = friction((folder / table.file).string());
+            table.speeds = std::move(rows.speeds);
+            table.coefficients = std::move(rows.coefficients);
+            parameters::expect_function(table);
+        } catch (const Error& error) {
+            if (error.place()) throw;
+            throw located(error, "contact.friction_table", entry->value_place);
+        }
+    }
+}
+
 // do the values have to fit together, or do axes replace some of them first?
 enum class ReadAs { complete_case, base_of_chart };
 
-Case read_fields(const TomlDocument& fields, const SamplesReader& samples, ReadAs what, const Case& beginning) {
+Case read_fields(const TomlDocument& fields, const CaseReaders& readers, ReadAs what, const Case& beginning) {
     CaseReading reading(fields, beginning);
     reading.read_kinds();
     reading.read_values();
     if (what == ReadAs::base_of_chart) reading.throw_any();
     // what a sampled drive moves is known only when its file is read
-    if (reading.has_sound_joint()) read_samples(reading.result(), fields, samples);
+    if (reading.has_sound_joint()) {
+        read_samples(reading.result(), fields, readers.samples);
+        read_friction(reading.result(), fields, readers.friction);
+    }
     if (what == ReadAs::complete_case) reading.check_findings();
     reading.throw_any();
     return reading.result();
@@ -239,7 +264,7 @@ Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadA
         is_begun = complaints.keep([&] { c.own_structure = readers.structure(document); });
     else if (lists_joints(document))
         c = begin_joints(fields, complaints);
-    if (is_begun) complaints.keep([&] { c = read_fields(fields, readers.samples, what, c); });
+    if (is_begun) complaints.keep([&] { c = read_fields(fields, readers, what, c); });
     complaints.throw_any();
     return c;
 }
@@ -249,7 +274,8 @@ Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadA
 bool is_required(const parameters::Field& field) {
     constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
     const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
-    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law;
+    const bool has_usual = field.name == "stribeck_exponent" || field.name == "viscous_friction";
+    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law && !has_usual;
 }
 
 void assign(parameters::CaseToSet at, const Field& field, const TomlEntry& entry) {
@@ -290,7 +316,11 @@ CaseReaders readers_without_files() {
         throw Error(ErrorKind::input,
                     {"drive.file is not opened here", "a case that came with a recording names no files", ""});
     };
-    return {none, read_enclosed_structure};
+    const FrictionReader no_table = [](const std::string&) -> recordings::SampledFriction {
+        throw Error(ErrorKind::input, {"contact.friction_table is no file here",
+                                       "a case that came with a recording names no files", "Give its rows."});
+    };
+    return {none, read_enclosed_structure, no_table};
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers) {

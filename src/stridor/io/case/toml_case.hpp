@@ -17,6 +17,9 @@ namespace stridor::io {
 /// over one that opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
+/// Gives a table of friction by the path of its file.
+using FrictionReader = std::function<recordings::SampledFriction(const std::string& path)>;
+
 /// Makes the structure of a document that has one of its own, as [structure].
 using StructureReader = std::function<std::shared_ptr<const parameters::OwnStructure>(const TomlDocument&)>;
 
@@ -24,6 +27,7 @@ using StructureReader = std::function<std::shared_ptr<const parameters::OwnStruc
 struct CaseReaders {
     SamplesReader samples = recordings::read_sampled_file;
     StructureReader structure = read_own_structure;
+    FrictionReader friction = recordings::read_friction_file;
 };
 
 /// Returns readers for a document whose user may name no files: the numbers of its structure stand in it.
@@ -31,8 +35,9 @@ CaseReaders readers_without_files();
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
-/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact
-/// and what follows the temperature (`read_temperature_table`); the rest has defaults. Overrides win; a key of the file
+/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except the laws of the
+/// contact, the exponent and viscosity of Stribeck's curve, and what follows the temperature (`read_temperature_table`);
+/// the rest has defaults. Overrides win; a key of the file
 /// that an override made meaningless (drive.amplitude after `--set drive.kind=constant`) is left out, and so is one
 /// that a change of the kind in the file left behind (`case_warnings`). A section [chart] is not looked at. A sampled
 /// drive's CSV is looked for beside the file (given by an override: in the current folder).

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace stridor::recordings {
 
@@ -29,11 +30,14 @@ struct SampleColumn {
 };
 
 struct SampleHeader {
-    SampleColumn time{"time", "s", 0, ""};
-    SampleColumn velocity{"velocity", "m/s", 1, ""};
+    SampleColumn over;  // that rises from row to row
+    SampleColumn value;
     std::size_t columns = 2;
     std::size_t lines = 0;  // how many lines of the table it takes
 };
+
+const SampleHeader motion_header{{"time", "s", 0, ""}, {"velocity", "m/s", 1, ""}};
+const SampleHeader friction_header{{"speed", "m/s", 0, ""}, {"friction", "1", 1, ""}};
 
 std::vector<TextLine> table_lines(std::string_view text) {
     std::vector<TextLine> lines;
@@ -88,26 +92,28 @@ void set_unit(SampleColumn& column, std::string_view unit, const base::Place& wh
 
 void read_units(SampleHeader& header, const TextLine& line, Dialect dialect, const std::string& name) {
     const std::vector<CsvField> fields = split(line, dialect);
-    for (SampleColumn* column : {&header.time, &header.velocity})
+    for (SampleColumn* column : {&header.over, &header.value})
         if (column->index < fields.size()) {
             const CsvField& field = fields[column->index];
             set_unit(*column, csv_table::bare_unit(field.text), place_of(name, line, field.column));
         }
 }
 
-SampleHeader read_header(const std::vector<TextLine>& lines, Dialect dialect, const std::string& name) {
+SampleHeader read_header(SampleHeader header, const std::vector<TextLine>& lines, Dialect dialect,
+                         const std::string& name) {
     const std::vector<CsvField> first = split(lines.front(), dialect);
-    SampleHeader header;
     header.columns = first.size();
     if (csv_table::is_number_row(first, dialect)) {
         if (first.size() == 2) return header;
-        throw Error(ErrorKind::input,
-                    {std::to_string(first.size()) + " columns without a header", "two are expected: time and velocity",
-                     "Name the columns in the first line."},
-                    place_of(name, lines.front(), 1));
+        throw Error(
+            ErrorKind::input,
+            {std::to_string(first.size()) + " columns without a header",
+             "two are expected: " + std::string(header.over.quantity) + " and " + std::string(header.value.quantity),
+             "Name the columns in the first line."},
+            place_of(name, lines.front(), 1));
     }
     header.lines = 1;
-    for (SampleColumn* column : {&header.time, &header.velocity}) {
+    for (SampleColumn* column : {&header.over, &header.value}) {
         column->index = find_column(first, *column, name, lines.front());
         const CsvField& field = first[column->index];
         set_unit(*column, csv_table::title_of(field.text).unit, place_of(name, lines.front(), field.column));
@@ -139,20 +145,27 @@ double read_number(const CsvField& field, const SampleColumn& column, Dialect di
     }
 }
 
-}  // namespace
+/// The numbers of the two columns, the first rising.
+struct TwoColumns {
+    std::vector<double> over;    // shape [row]
+    std::vector<double> values;  // shape [row]
+};
 
-SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
+TwoColumns read_two_columns(const SampleHeader& wanted, std::string_view text, const std::string& name) {
+    const std::string quantity(wanted.over.quantity), unit(wanted.over.unit);
     if (text.starts_with(csv_table::utf8_mark)) text.remove_prefix(csv_table::utf8_mark.size());
     if (csv_table::utf16_in(text.substr(0, 4096)))
         throw Error(ErrorKind::input, {"the file is in UTF-16", "", "Save it as UTF-8."}, base::Place{name, 1, 1, ""});
     const std::vector<TextLine> lines = table_lines(text);
     if (lines.empty())
-        throw Error(ErrorKind::input, {"the file holds no table", "a velocity over time is expected", ""},
+        throw Error(ErrorKind::input,
+                    {"the file holds no table",
+                     "a " + std::string(wanted.value.quantity) + " over " + quantity + " is expected", ""},
                     base::Place{name, 0, 0, ""});
     const Dialect dialect = csv_table::sniff(lines.front().text);
-    const SampleHeader header = read_header(lines, dialect, name);
+    const SampleHeader header = read_header(wanted, lines, dialect, name);
 
-    SampledMotion motion;
+    TwoColumns table;
     for (std::size_t k = header.lines; k < lines.size(); ++k) {
         const TextLine& line = lines[k];
         const std::vector<CsvField> fields = split(line, dialect);
@@ -165,28 +178,50 @@ SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
             const CsvField& field = fields[column.index];
             return read_number(field, column, dialect, place_of(name, line, field.column));
         };
-        const double time = read(header.time);
-        const bool increases = motion.times.empty() || time > motion.times.back();
-        if (!increases)
-            throw Error(ErrorKind::input,
-                        {"the times do not increase",
-                         base::shortest(time) + " s follows " + base::shortest(motion.times.back()) + " s",
-                         "Sort the rows by time."},
-                        place_of(name, line, fields[header.time.index].column));
-        motion.times.push_back(time);
-        motion.velocities.push_back(read(header.velocity));
+        const double over = read(header.over);
+        if (!table.over.empty() && !(over > table.over.back()))
+            throw Error(
+                ErrorKind::input,
+                {"the " + quantity + "s do not increase",
+                 base::shortest(over) + " " + unit + " follows " + base::shortest(table.over.back()) + " " + unit,
+                 "Sort the rows by " + quantity + "."},
+                place_of(name, line, fields[header.over.index].column));
+        table.over.push_back(over);
+        table.values.push_back(read(header.value));
     }
-    return motion;
+    return table;
+}
+
+// the bytes of a file that holds `what`
+std::string plain_text(const Bytes& bytes, const std::string& path, const char* what) {
+    constexpr std::uint64_t largest = 1U << 28U;  // [B]
+    if (bytes.size() > largest)
+        throw Error(ErrorKind::input,
+                    {"\"" + path + "\" is too large for " + what,
+                     "it has " + std::to_string(bytes.size()) + " bytes; at most 256 MiB are read", ""});
+    return text_at(bytes, 0, largest);
+}
+
+}  // namespace
+
+SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
+    TwoColumns table = read_two_columns(motion_header, text, name);
+    return {std::move(table.over), std::move(table.values)};
 }
 
 SampledMotion read_sampled_file(const std::string& path) {
-    constexpr std::uint64_t largest = 1U << 28U;  // [B]
     const auto bytes = open_plain_bytes(path);
-    if (bytes->size() > largest)
-        throw Error(ErrorKind::input,
-                    {"\"" + path + "\" is too large for an imposed motion",
-                     "it has " + std::to_string(bytes->size()) + " bytes; at most 256 MiB are read", ""});
-    return read_sampled_csv(text_at(*bytes, 0, largest), path);
+    return read_sampled_csv(plain_text(*bytes, path, "an imposed motion"), path);
+}
+
+SampledFriction read_friction_csv(std::string_view text, const std::string& name) {
+    TwoColumns table = read_two_columns(friction_header, text, name);
+    return {std::move(table.over), std::move(table.values)};
+}
+
+SampledFriction read_friction_file(const std::string& path) {
+    const auto bytes = open_plain_bytes(path);
+    return read_friction_csv(plain_text(*bytes, path, "a table of friction"), path);
 }
 
 }  // namespace stridor::recordings

@@ -26,4 +26,17 @@ SampledMotion read_sampled_csv(std::string_view text, const std::string& name);
 /// cannot be read.
 SampledMotion read_sampled_file(const std::string& path);
 
+/// Friction as measured over the speed of slip.
+struct SampledFriction {
+    std::vector<double> speeds;        // [m/s] strictly increasing, shape [row]
+    std::vector<double> coefficients;  // [1] shape [row]
+};
+
+/// Reads a table of friction over speed from CSV text, as `read_sampled_csv` does: the columns are speed (s) and
+/// friction (f). Throws as that does.
+SampledFriction read_friction_csv(std::string_view text, const std::string& name);
+
+/// Reads such a table from a file, as `read_sampled_file` does.
+SampledFriction read_friction_file(const std::string& path);
+
 }  // namespace stridor::recordings
