@@ -1,5 +1,6 @@
 #include "stridor/analysis/stability_scan.hpp"
 
+#include "stridor/analysis/critical_velocity.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
@@ -15,6 +16,9 @@ namespace {
 
 // 40 halvings: 1e-12 of the distance between two points
 constexpr int halvings = 40;
+
+// [1] rows of a structure whose critical velocity is followed along a parameter: it costs some 80 eigenvalue problems
+constexpr int most_followed_rows = 12;
 
 StabilityBoundary bisected(const std::function<SlidingStability(double)>& at, StabilityPoint below,
                            StabilityPoint above) {
@@ -72,14 +76,21 @@ StabilityScan scan_stability(const parameters::Case& c, const std::optional<Scan
         scan.unit = parameters::unit_of(scan.key);
     }
     for (const parameters::Direction direction : {parameters::Direction::going, parameters::Direction::coming}) {
-        DirectionScan along{
-            direction, sliding_stability(model::structure_of(c), direction, sliding_speed(c.drive)), {}};
+        const model::Structure structure = model::structure_of(c);
+        DirectionScan along{direction, sliding_stability(structure, direction, sliding_speed(c.drive)), {}};
+        along.critical_velocity = critical_velocity(structure, direction);
         const auto at = [&](double value) {
             parameters::Case changed = c;
             parameters::set_quantity(changed, scan.key, value);
             return sliding_stability(model::structure_of(changed), direction, sliding_speed(changed.drive));
         };
         if (range) along.path = stability_path(at, range->from, range->to, range->points);
+        if (along.critical_velocity && model::dofs_of(structure) <= most_followed_rows)
+            for (StabilityPoint& point : along.path.points) {
+                parameters::Case changed = c;
+                parameters::set_quantity(changed, scan.key, point.value);
+                point.critical_velocity = critical_velocity(model::structure_of(changed), direction);
+            }
         scan.directions.push_back(std::move(along));
     }
     return scan;

@@ -14,6 +14,7 @@ namespace stridor::analysis {
 struct StabilityPoint {
     double value = 0.0;  // in the parameter's unit
     SlidingStability stability;
+    std::optional<double> critical_velocity{};  // [m/s] as in `DirectionScan`, of a structure of few rows
 };
 
 /// Where stability changes its kind along a parameter.
@@ -50,7 +51,9 @@ struct ScanRange {
 struct DirectionScan {
     parameters::Direction direction = parameters::Direction::going;
     SlidingStability here;
-    StabilityPath path;                   // empty without a parameter
+    StabilityPath path;  // empty without a parameter
+    // [m/s] below it sliding is lost, of friction that changes with the slip velocity: `critical_velocity`
+    std::optional<double> critical_velocity{};
     std::optional<SlidingModes> modes{};  // of the case, if they were asked for
 };
 

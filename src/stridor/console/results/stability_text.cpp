@@ -62,6 +62,15 @@ std::string normal_force_text(const parameters::Case& c, double normal_force) {
                                              : fmt::format("N/F {:8.4f}", normal_force / c.contact().preload);
 }
 
+// of friction that changes with the slip velocity
+std::string critical_velocity_text(const analysis::DirectionScan& direction) {
+    if (!direction.critical_velocity) return {};
+    const double velocity = *direction.critical_velocity;
+    if (velocity == 0.0) return "        sliding lasts at any velocity\n";
+    if (std::isinf(velocity)) return "        sliding lasts at no velocity\n";
+    return fmt::format("        critical velocity {:.6g} m/s: below it sliding is lost\n", velocity);
+}
+
 std::string header(const analysis::StabilityScan& scan) {
     std::string text = styled("stability of steady sliding", Style::bold, STDOUT_FILENO) + "\n\n";
     for (const analysis::DirectionScan& direction : scan.directions) {
@@ -70,6 +79,7 @@ std::string header(const analysis::StabilityScan& scan) {
                             parameters::direction_names[static_cast<std::size_t>(direction.direction)],
                             kind_name(here.kind), normal_force_text(scan.base, here.normal_force), modes_text(here));
         text += open_text(scan.base, here);
+        text += critical_velocity_text(direction);
     }
     return text;
 }

@@ -261,6 +261,7 @@ Json contributions_object(const parameters::Case& c, const analysis::SlidingMode
 Json direction_object(const parameters::Case& c, const analysis::DirectionScan& direction) {
     Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
     object.update(stability_object(c, direction.here));
+    if (direction.critical_velocity) object["critical_velocity"] = *direction.critical_velocity;
     if (direction.modes)
         object["contributions"] = array_of(direction.modes->modes, [&](const analysis::SlidingMode& mode) {
             return contributions_object(c, *direction.modes, mode);
@@ -268,6 +269,7 @@ Json direction_object(const parameters::Case& c, const analysis::DirectionScan& 
     object["points"] = array_of(direction.path.points, [&](const analysis::StabilityPoint& point) {
         Json entry{{"value", point.value}};
         entry.update(stability_object(c, point.stability));
+        if (point.critical_velocity) entry["critical_velocity"] = *point.critical_velocity;
         return entry;
     });
     object["boundaries"] = array_of(direction.path.boundaries, [](const analysis::StabilityBoundary& boundary) -> Json {
@@ -373,6 +375,8 @@ std::string stability_json(const analysis::StabilityScan& scan) {
     });
     Json units = case_units(scan.base);
     units.update(stability_units());
+    if (!scan.directions.empty() && scan.directions.front().critical_velocity)
+        units["directions.critical_velocity"] = "m/s";
     if (!scan.directions.empty() && scan.directions.front().modes) units.update(contribution_units());
     document["units"] = std::move(units);
     return base::text_of(document);
