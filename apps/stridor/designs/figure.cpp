@@ -118,8 +118,24 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
     return command;
 }
 
-void draw_law(const OneFigureOptions& options) {
-    draw(pictures::friction_law_of(load_case(options.input)), options);
+struct LawOptions {
+    OneFigureOptions figure;
+    bool has_visited = false;
+};
+
+// [1] samples of the window: extremes of a slip that lasts a thousandth of it are met within a percent
+constexpr double law_samples = 1e5;
+
+void draw_law(const LawOptions& options) {
+    const Case c = load_case(options.figure.input);
+    if (!options.has_visited) return draw(pictures::friction_law_of(c), options.figure);
+    if (c.own_structure)
+        base::refuse("--visited knows a joint on its plate", "a structure of one's own has no one slip velocity",
+                     "Leave it out.");
+    const Interrupt interrupt;
+    const record::TraceRequest judged{c.run.duration - c.run.window, c.run.duration, c.run.window / law_samples};
+    draw(pictures::friction_law_of(c, pictures::visited_velocities(recorded(c, judged, interrupt.token()).trace)),
+         options.figure);
 }
 
 void draw_states(const OneFigureOptions& options) {
@@ -208,10 +224,12 @@ void add_figure(CLI::App& program) {
     add_sheet_options(*all, paper->sheet);
     all->callback([paper] { draw_paper(*paper); });
 
-    auto law = std::make_shared<OneFigureOptions>();
-    add_one(*figure, "friction-law", "Friction over relative velocity (Figure 3).", law)->callback([law] {
-        draw_law(*law);
-    });
+    auto law = std::make_shared<LawOptions>();
+    CLI::App* friction =
+        add_one(*figure, "friction-law", "Friction over relative velocity (Figure 3).", {law, &law->figure});
+    friction->add_flag("--visited", law->has_visited,
+                       "compute the motion, too, and shade the velocities at which it slips");
+    friction->callback([law] { draw_law(*law); });
     auto states = std::make_shared<OneFigureOptions>();
     add_one(*figure, "contact-states", "Contact states over time (Figure 7).", states)->callback([states] {
         draw_states(*states);

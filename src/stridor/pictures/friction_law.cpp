@@ -4,24 +4,50 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/friction.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::pictures {
 
 namespace {
 
+constexpr std::size_t curve_points = 241;  // of a law that changes with the slip velocity
+
 // of one way to slip, as drawn: V_rel > 0 is a plate that goes
 struct LawBranch {
     double sign;
-    double limit;    // [1] of the stick
-    double sliding;  // [1] of a slip that begins
-    double fast;     // [1] of one at the edge of the picture
+    double limit;                 // [1] of the stick
+    std::vector<double> speeds;   // rising from 0, up to the edge of the picture
+    std::vector<double> sliding;  // [1] there
     const char* limit_symbol;
     const char* sliding_symbol;
 };
+
+// [m/s] at the edge of the picture
+double edge_of(const parameters::Contact& contact) {
+    switch (contact.friction) {
+        case parameters::FrictionKind::stribeck:
+        case parameters::FrictionKind::stribeck_rational:
+            return 10.0 * contact.stribeck_velocity;
+        case parameters::FrictionKind::table:
+            return contact.friction_table.speeds.empty() ? 1.0 : contact.friction_table.speeds.back();
+        case parameters::FrictionKind::tanh:
+        case parameters::FrictionKind::arctan:
+            return 10.0 * contact.regularisation;
+        case parameters::FrictionKind::coulomb:
+        case parameters::FrictionKind::directional:
+        case parameters::FrictionKind::linear:
+            break;
+    }
+    return 1.0;
+}
 
 drawing::StyledText named(double sign, std::string_view name, double value) {
     const char* const minus = sign < 0.0 ? "−" : "";
@@ -30,15 +56,23 @@ drawing::StyledText named(double sign, std::string_view name, double value) {
 }
 
 void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
-    const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding;
-    const double fast = branch.sign * branch.fast;
-    if (branch.limit > branch.sliding)
+    const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding.front();
+    const double edge = branch.speeds.back();
+    if (branch.limit > branch.sliding.front())
         panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), drawing::TickSize::major});
-    panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding), drawing::TickSize::major});
-    panel.layers.emplace_back(drawing::Line{{std::min(x, 0.0), std::max(x, 0.0)},
-                                            {x < 0.0 ? fast : d, x < 0.0 ? d : fast},
-                                            {drawing::accent, 1.6, drawing::Dash::solid}});
-    panel.layers.emplace_back(drawing::Note{"slip", 0.5 * x, d - 0.1 * x * top, drawing::Anchor::data,
+    panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding.front()), drawing::TickSize::major});
+    drawing::Line line{branch.speeds, branch.sliding, {drawing::accent, 1.6, drawing::Dash::solid}};
+    for (std::size_t k = 0; k < line.x.size(); ++k) {
+        line.x[k] *= x;
+        line.y[k] *= x;
+    }
+    if (x < 0.0) {
+        std::reverse(line.x.begin(), line.x.end());
+        std::reverse(line.y.begin(), line.y.end());
+    }
+    const double middle = branch.sign * branch.sliding[branch.sliding.size() / 2];
+    panel.layers.emplace_back(std::move(line));
+    panel.layers.emplace_back(drawing::Note{"slip", 0.5 * x * edge, middle - 0.1 * x * top, drawing::Anchor::data,
                                             drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
 }
 
@@ -57,43 +91,65 @@ parameters::Contact one_law(const parameters::Case& c) {
 
 }  // namespace
 
-drawing::Scene friction_law(const parameters::Contact& contact) {
+drawing::Scene friction_law(const parameters::Contact& contact, std::optional<drawing::Extent> visited) {
     const model::FrictionLaw law = model::friction_law(contact);
     const bool is_the_same = contact.friction != parameters::FrictionKind::directional;
+    double edge = edge_of(contact);
+    if (visited) edge = std::max({edge, 1.1 * visited->to, -1.1 * visited->from});
     const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
-        return LawBranch{
-            sign,   stick_limit(law, way), sign * slip_ratio(law, way), sign * slip_ratio(law, way, -sign), limit,
-            sliding};
+        LawBranch drawn{sign, stick_limit(law, way), {}, {}, limit, sliding};
+        const std::size_t points = is_state_wise(law) ? 2 : curve_points;
+        for (std::size_t k = 0; k < points; ++k) {
+            const double speed = edge * static_cast<double>(k) / static_cast<double>(points - 1);
+            drawn.speeds.push_back(speed);
+            drawn.sliding.push_back(sign * slip_ratio(law, way, -sign * speed));
+        }
+        return drawn;
     };
-    const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
+    // a continuous curve begins with mu_s
+    const bool begins_with_limit = stick_limit(law, model::Slip::backward) == slip_ratio(law, model::Slip::backward);
+    const char* const begin = !is_state_wise(law) && begins_with_limit ? "mu_s" : "mu_d";
+    const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", begin);
     const LawBranch coming =
-        branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? "mu_d" : "mu_dc");
-    const double most = std::max({going.limit, coming.limit, going.sliding, coming.sliding});
+        branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? begin : "mu_dc");
+    double most = std::max(going.limit, coming.limit);
+    for (const LawBranch* each : {&going, &coming})
+        most = std::max(most, *std::max_element(each->sliding.begin(), each->sliding.end()));
     const double top = most > 0.0 ? 1.3 * most : 1.0;
     drawing::Panel panel;
     panel.grid = drawing::Grid::none;
     panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") +
-                    (is_state_wise(law) ? " (any unit)" : " [m/s]");
-    panel.x.range = {-1.0, 1.0};
-    panel.x.ticks = {{0.0, "0", drawing::TickSize::major}};
+                    (is_state_wise(law) && !visited ? " (any unit)" : " [m/s]");
+    panel.x.range = {-edge, edge};
+    const bool has_numbers = !is_state_wise(law) || visited;
+    if (!has_numbers) panel.x.ticks = {{0.0, "0", drawing::TickSize::major}};
     panel.y.label =
         drawing::StyledText("friction over normal force ") + drawing::symbol("T") + " / " + drawing::symbol("N");
     panel.y.unit = "1";
     panel.y.range = {-top, top};
     panel.y.ticks = {{0.0, "0", drawing::TickSize::major}};
+    if (visited) {
+        panel.layers.emplace_back(
+            drawing::Boxes{{{*visited, {-top, top}}}, {drawing::highlight, drawing::Texture::none, drawing::ink}});
+        panel.layers.emplace_back(drawing::Note{"visited", 0.5 * (visited->from + visited->to), -0.92 * top,
+                                                drawing::Anchor::data, drawing::Align::centre, drawing::quiet_ink, 0.0,
+                                                std::nullopt});
+    }
     const drawing::Stroke axis{drawing::grid_ink, 0.5, drawing::Dash::solid};
     const drawing::Stroke helper{drawing::quiet_ink, 0.4, drawing::Dash::dotted};
     panel.layers.emplace_back(drawing::Rule{0.0, drawing::Orientation::vertical, axis});
     panel.layers.emplace_back(drawing::Rule{0.0, drawing::Orientation::horizontal, axis});
-    for (const double level : {going.limit, going.sliding, -coming.limit})
-        panel.layers.emplace_back(drawing::Line{{-1.0, 0.0}, {level, level}, helper});
+    for (const double level : {going.limit, going.sliding.front(), -coming.limit})
+        panel.layers.emplace_back(drawing::Line{{-edge, 0.0}, {level, level}, helper});
     add_branch(panel, coming, top);
     panel.layers.emplace_back(drawing::Line{{0.0, 0.0},
                                             {-coming.limit, going.limit},
                                             {state_colour(model::ContactState::stick), 1.6, drawing::Dash::solid}});
     add_branch(panel, going, top);
-    panel.layers.emplace_back(drawing::Note{"stick", 0.06, 0.5 * going.sliding, drawing::Anchor::data,
-                                            drawing::Align::left, drawing::ink, 0.0, std::nullopt});
+    // a curve that falls may lie where a level one leaves room
+    const double beside = is_state_wise(law) ? 0.5 * going.sliding.front() : -0.5 * going.limit;
+    panel.layers.emplace_back(drawing::Note{"stick", 0.06 * edge, beside, drawing::Anchor::data, drawing::Align::left,
+                                            drawing::ink, 0.0, std::nullopt});
 
     drawing::Scene scene;
     scene.title = "Friction law";
@@ -103,14 +159,28 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     return scene;
 }
 
-drawing::Scene friction_law_of(const parameters::Case& c) {
-    for (const char* key :
-         {"contact.friction", "contact.static_friction", "contact.kinetic_friction", "contact.friction_slope",
-          "contact.static_friction_coming", "contact.kinetic_friction_coming"})
-        if (!parameters::has_one_value(c, key))
-            base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
+drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing::Extent> visited) {
+    for (const parameters::Field& field : parameters::fields()) {
+        const bool is_of_law = field.section == "contact" && field.name != "preload" && field.name != "impact" &&
+                               field.name != "restitution";
+        const std::string key = parameters::key_of(field);
+        if (is_of_law && !parameters::has_one_value(c, key))
+            base::refuse("the joints differ: " + key + " = " + parameters::value_text(c, key),
                          "this is the picture of one law of friction", "");
-    return friction_law(one_law(c));
+    }
+    return friction_law(one_law(c), visited);
+}
+
+std::optional<drawing::Extent> visited_velocities(const record::Trace& trace) {
+    std::optional<drawing::Extent> visited;
+    for (std::size_t k = 0; k < trace.time.size(); ++k) {
+        if (trace.contacts.front().state[k] != model::ContactState::slip) continue;
+        const double velocity = trace.surface_velocity[k] - trace.velocity[0][k];
+        if (!visited) visited = {velocity, velocity};
+        visited->from = std::min(visited->from, velocity);
+        visited->to = std::max(visited->to, velocity);
+    }
+    return visited;
 }
 
 }  // namespace stridor::pictures

@@ -55,6 +55,42 @@ TEST(FrictionLaw, NamesBothCoefficients) {
         EXPECT_EQ(std::count(labels.begin(), labels.end(), label), 1) << label;
 }
 
+TEST(FrictionLaw, IsACurveWhereItChangesWithTheSlipVelocity) {
+    parameters::Contact contact;
+    contact.friction = parameters::FrictionKind::stribeck;
+    contact.static_friction = 0.8;
+    contact.kinetic_friction = 0.2;
+    const drawing::Scene scene = friction_law(contact);
+    const std::vector<drawing::Line> lines = law_lines(scene);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_GT(lines[2].x.size(), 100U);
+    EXPECT_EQ(lines[2].y.front(), 0.8);
+    EXPECT_NEAR(lines[2].y.back(), 0.2, 1e-4);
+    EXPECT_EQ(lines[0].y.back(), -0.8);  // from fast to slow
+    EXPECT_EQ(scene.panels.at(0).x.range.to, 10.0 * contact.stribeck_velocity);
+    EXPECT_TRUE(scene.panels.at(0).x.ticks.empty());  // numbers along the axis
+}
+
+TEST(FrictionLaw, ShadesTheVelocitiesOfAMotion) {
+    record::Trace trace;
+    trace.time = {0.0, 1.0, 2.0, 3.0};
+    trace.velocity = {{0.1, 0.0, -2.0, 5.0}};
+    trace.surface_velocity = {0.1, 0.1, 0.1, 0.1};
+    trace.contacts.resize(1);
+    trace.contacts[0].state = {model::ContactState::stick, model::ContactState::slip, model::ContactState::slip,
+                               model::ContactState::separation};
+    const std::optional<drawing::Extent> visited = visited_velocities(trace);
+    ASSERT_TRUE(visited);
+    EXPECT_EQ(*visited, (drawing::Extent{0.1, 2.1}));
+    const drawing::Scene scene = friction_law({}, visited);
+    const std::vector<drawing::Boxes> boxes = layers_of<drawing::Boxes>(scene.panels.at(0));
+    ASSERT_EQ(boxes.size(), 1U);
+    EXPECT_EQ(boxes[0].boxes[0].x, *visited);
+    EXPECT_GT(scene.panels.at(0).x.range.to, 2.1);
+    trace.contacts[0].state.assign(4, model::ContactState::stick);
+    EXPECT_FALSE(visited_velocities(trace));
+}
+
 TEST(FrictionLaw, OfJointsThatDifferIsRefused) {
     parameters::Case c;
     c.joints.resize(2);
