@@ -18,7 +18,8 @@ void choose_falling_beta_2(parameters::Case& c) {
 void choose_stribeck_beta_2(parameters::Case& c) {
     choose(c);
     c.contact().friction = parameters::FrictionKind::stribeck;
-    c.contact().stribeck_velocity = 4.0;  // it falls by 0.05 s/m at most
+    c.contact().static_friction = c.contact().kinetic_friction + 0.05;  // with which a slip begins
+    c.contact().stribeck_velocity = 1.0;                                // it falls by 0.05 s/m at most
     c.contact().viscous_friction = 0.01;
 }
 
