@@ -1,6 +1,5 @@
-// The block of Leine and others (1998): m = k = F_s = 1, F = -F_s sgn(w)/(1 + 3 |w|). Period, slip, stick share, largest
-// displacement and where it sticks again are those of an independent program with events (shared by the issue), for
-// V = 0.2 and 0.1.
+// The block of Leine and others (1998): m = k = F_s = 1, F = -F_s sgn(w)/(1 + 3 |w|). Period, slip, stick share,
+// largest displacement and where it sticks again are those of an independent program with events, for V = 0.2 and 0.1.
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"

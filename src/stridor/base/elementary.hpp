@@ -34,8 +34,8 @@ double power_of_2(double x);
 /// Returns e to the power x for x < 700, with the same bits on every machine: relative error below 4e-16; 0 below -700.
 double exponential(double x);
 
-/// Returns x to the power y for x >= 0 and y >= 0, with the same bits on every machine; relative error below 1e-15 times
-/// 1 + |y log2 x|. It is exact for y = 0, 1 and 2. Beyond the ends of 2^-999 to 2^999 it returns 0 or the upper one.
+/// Returns x to the power y for x >= 0 and y >= 0, with the same bits on every machine; relative error below 1e-15
+/// times 1 + |y log2 x|. It is exact for y = 0, 1 and 2. Beyond 2^-999 and 2^999 it returns 0 and 2^999.
 double power(double x, double y);
 
 /// Returns the arc tangent of x >= 0 [rad], with the same bits on every machine; relative error below 4e-16.

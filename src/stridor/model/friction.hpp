@@ -124,8 +124,8 @@ struct StribeckCurve {
 ///
 ///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d) exp(-(|w|/v_s)^delta) + k_v |w|) N
 ///
-/// It is continuous: a slip begins with mu_s. Source: R. Stribeck 1902 for the curve; L. C. Bo and D. Pavelescu 1982 for
-/// the exponential (delta = 1 is Tustin's, 2 a Gaussian curve); B. Armstrong-Helouvry and others 1994.
+/// It is continuous: a slip begins with mu_s. Source: R. Stribeck 1902 for the curve; L. C. Bo and D. Pavelescu 1982
+/// for the exponential (delta = 1 is Tustin's, 2 a Gaussian curve); B. Armstrong-Helouvry and others 1994.
 struct Stribeck {
     static constexpr auto kind = parameters::FrictionKind::stribeck;
 
@@ -156,8 +156,8 @@ struct RationalStribeck {
     bool operator==(const RationalStribeck&) const = default;
 };
 
-/// A curve through measured rows: straight between them, or cubic without a new peak or valley. It ends level: beyond
-/// its last row its last value holds.
+/// A curve through measured rows: straight between them, or cubic without a new peak or valley. Before its first row
+/// and beyond its last one their values hold.
 ///
 /// Source: F. N. Fritsch and R. E. Carlson 1980, with the slopes of F. N. Fritsch and J. Butland 1984: at a row the
 /// harmonic mean of those beside it, weighted by their widths, and 0 at a peak or valley.

@@ -11,12 +11,12 @@ namespace stridor::parameters {
 /// The rows of a table, at most.
 inline constexpr std::size_t most_friction_rows = 10000;
 
-/// Returns "0: 0.8, 0.01: 0.6", the speed [m/s] and coefficient of each row; the name of its file where that is not read
-/// yet.
+/// Returns "0: 0.8, 0.01: 0.6", the speed [m/s] and coefficient of each row; the name of its file where that is not
+/// read yet.
 std::string friction_table_text(const FrictionTable& table);
 
-/// Reads rows as text: "0: 0.8, 10 mm/s: 0.6". A text without a colon is the name of a CSV file, not opened here. Throws
-/// `Error` (input) without a place for rows that make no function: speeds that do not rise, one row, negative numbers.
+/// Reads rows as text: "0: 0.8, 10 mm/s: 0.6". A text without a colon is the name of a CSV file, not opened here.
+/// Throws `Error` (input) without a place for rows that make no function: falling speeds, one row, negative numbers.
 FrictionTable parse_friction_table(std::string_view text);
 
 /// Throws `Error` (input) without a place for rows that make no function.

@@ -7,10 +7,10 @@
 
 /// The slip that a step of time leaves where friction changes with the slip velocity.
 ///
-/// Its velocity w follows from T/N, and T/N from w. With mu = |T/N| and the speed s(mu) of slip that it leaves, falling by
-/// `reach` per mu at most, psi(mu) = mu - law(s(mu)) is 0. Where friction falls so fast that reach times its slope is 1 or
-/// more, several mu may be lawful. The least of them is the slip that goes on: it is reached from no friction, as an
-/// impulse grows from nothing, without a jump. psi rises by at most 1 + reach times the steepest rise of the law, so
+/// Its velocity w follows from T/N, and T/N from w. With mu = |T/N| and the speed s(mu) of slip that it leaves, falling
+/// by `reach` per mu at most, psi(mu) = mu - law(s(mu)) is 0. Where reach times the slope by which friction falls is 1
+/// or more, several mu may be lawful. The least of them is the slip that goes on: it is reached from no friction, as an
+/// impulse grows from nothing, without a jump. psi rises by at most 1 + reach times the law's steepest rise, so
 ///
 ///     mu <- mu - psi(mu)/(1 + reach rise)                from mu = 0
 ///

@@ -36,9 +36,9 @@ CaseReaders readers_without_files();
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
 /// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except the laws of the
-/// contact, the exponent and viscosity of Stribeck's curve, and what follows the temperature (`read_temperature_table`);
-/// the rest has defaults. Overrides win; a key of the file
-/// that an override made meaningless (drive.amplitude after `--set drive.kind=constant`) is left out, and so is one
+/// contact, exponent and viscosity of Stribeck's curve, and what follows the temperature (`read_temperature_table`).
+/// The rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
+/// `--set drive.kind=constant`) is left out, and so is one
 /// that a change of the kind in the file left behind (`case_warnings`). A section [chart] is not looked at. A sampled
 /// drive's CSV is looked for beside the file (given by an override: in the current folder).
 /// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than
