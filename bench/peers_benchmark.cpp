@@ -6,6 +6,7 @@
 // are processor time of the thread, medians of runs.
 
 #include "peers/agreement.hpp"
+#include "peers/odeint.hpp"
 #include "peers/peer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/ready_charts.hpp"
@@ -214,6 +215,34 @@ void compare_on_chart(const std::vector<Peer>& all) {
     }
 }
 
+// the paper's joint with Stribeck's curve, slow to fast: the reference is a general solver's with the finest tolerance
+void compare_on_stribeck(const std::vector<Peer>& all) {
+    std::vector<Problem> problems;
+    for (const double velocity : {0.01, 0.03, 0.1, 0.3}) {
+        Case c = parameters::paper_case(parameters::PaperCase::squeak);
+        c.contact().friction = parameters::FrictionKind::stribeck;
+        c.contact().stribeck_velocity = 0.05;
+        c.drive.kind = parameters::DriveKind::constant;
+        c.drive.velocity = velocity;
+        c.run.initial = parameters::Initial::stuck;
+        c.run.duration = c.run.window = 0.25;
+        const ContactHistory reference = by_odeint(c, 1e-14);
+        problems.push_back(
+            {fmt::format("{} m/s", velocity), c, reference, agreement(reference, by_odeint(c, 1e-13), 1e-9).until});
+    }
+    std::vector<Row> rows;
+    for (const Peer& peer : all) {
+        rows.emplace_back();
+        for (const Problem& problem : problems)
+            rows.back().push_back(measure(peer, problem, least_runs, most_runs));
+    }
+    fmt::print("\n### Stribeck's curve: processor time per simulated second [ms]\n\n");
+    print_numbers(
+        all, problems, rows, [](const Measurement& m) { return 1e3 * m.time; }, "{:.3g}");
+    fmt::print("\n### Stribeck's curve: changes of state in common with odeint, rtol 1e-14\n\n");
+    print_agreement(all, problems, rows);
+}
+
 #ifdef __clang__
 constexpr const char* compiler = __VERSION__;
 #else
@@ -249,5 +278,6 @@ int main(int count, char** arguments) {
     fmt::print("- {}, {}\n", compiler, processor());
     compare_on_table_1(all);
     compare_on_chart(all);
+    compare_on_stribeck(all);
     return 0;
 }

@@ -28,6 +28,7 @@ struct Mode {
 
 struct Rubbing {
     double m1, m2, k2y, c2y, F, mu_s, mu_d, V;  // as in docs/notation.md
+    double v_s;                                 // [m/s] of Stribeck's curve; 0: mu_d is constant
     double kxx, kyy, kxy;                       // [N/m]
     double cxx, cyy, cxy;                       // [N*s/m]
     double per_m1, per_m2, per_total;           // [1/kg]
@@ -45,6 +46,7 @@ inline Rubbing rubbing(const parameters::Case& c) {
     r.k2y = c.plate.stiffness, r.c2y = c.plate.damping;
     r.F = c.contact().preload, r.mu_s = c.contact().static_friction, r.mu_d = c.contact().kinetic_friction;
     r.V = c.drive.velocity;
+    r.v_s = c.contact().friction == parameters::FrictionKind::stribeck ? c.contact().stribeck_velocity : 0.0;
     r.kxx = joint.axial_stiffness * cc + joint.flexural_stiffness * ss;
     r.kyy = joint.axial_stiffness * ss + joint.flexural_stiffness * cc;
     r.kxy = (joint.axial_stiffness - joint.flexural_stiffness) * sc;
@@ -67,6 +69,11 @@ inline double plate_y(const Rubbing& r, const double* s) {
     return r.c2y * s[5] + r.k2y * s[2];
 }
 
+/// Coefficient of a slip [1], of this slip velocity [m/s].
+inline double coefficient(const Rubbing& r, double w) {
+    return r.v_s > 0.0 ? r.mu_d + (r.mu_s - r.mu_d) * std::exp(-std::abs(w) / r.v_s) : r.mu_d;
+}
+
 /// N of a closed contact [N].
 inline double normal_force(const Rubbing& r, const double* s) {
     return r.F + (r.m2 * joint_y(r, s) - r.m1 * plate_y(r, s)) * r.per_total;
@@ -83,7 +90,7 @@ inline void derivative(const Rubbing& r, Mode mode, const double* s, double* d) 
         return;
     }
     const double N = r.F + (r.m2 * jy - r.m1 * plate) * r.per_total;
-    d[3] = mode.state == ContactState::stick ? 0.0 : -(mode.sign * r.mu_d * N + jx) * r.per_m1;
+    d[3] = mode.state == ContactState::stick ? 0.0 : -(mode.sign * coefficient(r, s[3] - r.V) * N + jx) * r.per_m1;
     d[4] = d[5] = -(jy + plate) * r.per_total;
 }
 
@@ -113,7 +120,11 @@ inline Mode impact(const Rubbing& r, Motion& s) {
     const double common = (r.m1 * s[4] + r.m2 * s[5]) * r.per_total;
     const double impulse = r.m1 * (common - s[4]), w = s[3] - r.V;
     const bool stops = r.m1 * std::abs(w) <= r.mu_s * impulse;
-    s[3] = stops ? r.V : s[3] - std::copysign(r.mu_d * impulse * r.per_m1, w);
+    // the coefficient is that of the slip velocity which the impact leaves
+    double left = w;
+    for (int turn = 0; !stops && turn < (r.v_s > 0.0 ? 100 : 1); ++turn)
+        left = w - std::copysign(coefficient(r, left) * impulse * r.per_m1, w);
+    s[3] = stops ? r.V : r.V + left;
     s[4] = s[5] = common;
     s[1] = s[2] = (r.m1 * s[1] + r.m2 * s[2]) * r.per_total;
     return closed(r, s);

@@ -2,11 +2,16 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
+#include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
+#include "stridor/model/friction_jet.hpp"
 #include "support/belt_run.hpp"
 #include "support/error_text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -72,6 +77,36 @@ TEST_P(FrictionContract, IsStateWiseWhereTheVelocityOfSlipChangesNothing) {
     EXPECT_EQ(is_state_wise(law()), !changes);
 }
 
+// along a speed of slip that is a cubic of time, at a fifth of the way to where the next power counts
+TEST_P(FrictionContract, HasAJetThatFollowsItsResistance) {
+    if (!has_jet(law())) return;  // engines refuse to expand it
+    constexpr std::size_t count = 25;
+    for (const Slip way : slips)
+        for (const double speed : speeds)
+            for (const double rise : {0.1, -0.1}) {
+                if (speed == 0.0 && rise < 0.0) continue;
+                std::array<double, count> motion{speed, rise * std::max(speed, 1e-3), 0.02 * rise * speed,
+                                                 0.01 * speed};
+                const auto side = rise > 0.0 ? model::CornerSide::above : model::CornerSide::below;
+                const model::SpeedStretch stretch = model::speed_stretch(law(), way, speed, 0.0, side);
+                model::FrictionJet jet(law(), way);
+                jet.choose(stretch);
+                std::array<double, count> resistance{};
+                for (std::size_t m = 0; m < count; ++m)
+                    resistance[m] = jet.next({motion.data(), m + 1});
+                for (const double time : {0.0, 0.01, 0.1}) {
+                    double there = 0.0, wanted = 0.0;
+                    for (std::size_t m = count; m-- > 0;) {
+                        there = there * time + motion[m];
+                        wanted = wanted * time + resistance[m];
+                    }
+                    if (there < stretch.from || there > stretch.to) continue;
+                    EXPECT_NEAR(wanted, std::abs(slip_ratio(law(), way, sign_of(way) * there)), 1e-14 * (1.0 + wanted))
+                        << speed << " " << time;
+                }
+            }
+}
+
 TEST_P(FrictionContract, TakesASlipTheOtherWayForOneThatBegins) {
     for (const Slip way : slips)
         EXPECT_EQ(slip_ratio(law(), way, -sign_of(way)), slip_ratio(law(), way));
@@ -131,6 +166,9 @@ TEST_P(FrictionContract, StandsInTheMotionOfTheEnginesThatKnowIt) {
         const integration::Start start{parameters::Initial::stuck, 0.0};
         std::vector<integration::Motion> motions{
             integration::integrate_beta_2(belt, c.drive, start, {1e-5, 0.5}, recorder())};
+        if (has_jet(law()))
+            motions.push_back(integration::integrate_taylor(
+                belt, c.drive, integration::initial_state(belt, start, velocity), {}, recorder()));
         const auto by_events = [&] { return integration::integrate_exact(belt, c.drive, start, {}, recorder()); };
         if (is_state_wise(law()))
             motions.push_back(by_events());

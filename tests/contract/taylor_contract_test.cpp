@@ -17,7 +17,20 @@ const EngineUnderTest taylor{.name = "taylor",
                              .as_solved = as_own_structure,
                              .change_moves = 1e-9};
 
-INSTANTIATE_TEST_SUITE_P(Taylor, EngineContract, testing::Values(taylor), testing::PrintToStringParamName());
+// friction that falls with the slip velocity goes by Taylor series, a joint alone, too
+void choose_falling_taylor(parameters::Case& c) {
+    choose_taylor(c);
+    c.contact().friction = parameters::FrictionKind::linear;
+    c.contact().friction_slope = 0.05;
+}
+
+const EngineUnderTest falling_taylor{.name = "taylor_with_falling_friction",
+                                     .choose = choose_falling_taylor,
+                                     .energy_tolerance = 1e-10,
+                                     .change_moves = 1e-9};
+
+INSTANTIATE_TEST_SUITE_P(Taylor, EngineContract, testing::Values(taylor, falling_taylor),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stridor::contract

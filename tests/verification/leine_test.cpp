@@ -89,8 +89,10 @@ TEST_P(LeinesBlock, SticksAndSlipsAsPublishedWithinTheOrderOfTheStep) {
 INSTANTIATE_TEST_SUITE_P(Steps, LeinesBlock, testing::Values("beta_2", "moreau"),
                          [](const auto& engine) { return engine.param; });
 
-TEST(LeinesBlockByEvents, IsRefusedByName) {
-    EXPECT_THROW(leine({"run.engine=exact"}), Error);
+// its digits by events: friction_series_test.cpp
+TEST(LeinesBlockByEvents, IsRefusedWithAPowerThatIsNoWholeNumber) {
+    EXPECT_NO_THROW(leine({"run.engine=exact"}));
+    EXPECT_THROW(leine({"run.engine=exact", "stribeck_exponent=1.5"}), Error);
 }
 
 }  // namespace

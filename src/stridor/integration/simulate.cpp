@@ -92,7 +92,8 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
     const model::Structure structure = model::structure_of(c);
-    const bool has_any_size = parameters::has_named_contacts(c) || c.run.engine == Engine::moreau;
+    const bool has_any_size =
+        parameters::has_named_contacts(c) || c.run.engine == Engine::moreau || parameters::is_solved_by_series(c);
     Motion motion = has_any_size ? run_any_size(c, structure, request, stop)
                                  : run_joint(c, structure, request, std::move(stop), workspace);
     tell_preloads(structure, motion.record.phases);

@@ -3,8 +3,11 @@
 #include "stridor/parameters/case.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -13,8 +16,9 @@
 /// call these and know no law.
 ///
 /// A law is *state-wise* where its coefficients do not change as long as the contact sticks, or slips one way: the
-/// motion within a contact state is then linear, which is what the exact and the Taylor engine solve. A new law is a
-/// struct here and its name in the list; tests/contract/friction_contract.cpp says what it must keep.
+/// motion within a contact state is then linear, which is what the exact engine solves. Another law has a *jet*, the
+/// power series of its resistance along that of the slip velocity, for the Taylor engine. A new law is a struct here
+/// and its name in the list; tests/contract/friction_contract.cpp says what it must keep.
 namespace stridor::model {
 
 /// The two ways in which a closed contact slips.
@@ -46,6 +50,25 @@ struct SlopeRange {
     double least = 0.0;  // [s/m] at most 0: how fast it falls
     double most = 0.0;   // [s/m] at least 0: how fast it rises
     bool operator==(const SlopeRange&) const = default;
+};
+
+/// Most coefficients of a power series along a motion.
+inline constexpr std::size_t most_jet_coefficients = 32;
+
+/// The speeds of slip around one in which a law's resistance is one analytic function. Its corners end it.
+struct SpeedStretch {
+    double from = -std::numeric_limits<double>::infinity();  // [m/s]; without end where a slip begins
+    double to = std::numeric_limits<double>::infinity();     // [m/s]
+};
+
+/// What the recurrences of a law know when they find the next coefficient of its resistance along a motion.
+struct JetTerms {
+    std::span<const double> speed{};                                 // [m/s] of slip; its last is of the wanted power
+    SpeedStretch stretch{};                                          // whose function is expanded
+    std::array<double, most_jet_coefficients> resistance{};          // [1] those found
+    std::array<std::array<double, most_jet_coefficients>, 8> own{};  // series that the law keeps beside it
+
+    std::size_t last() const { return speed.size() - 1; }
 };
 
 /// Coulomb friction with two coefficients, the same both ways and independent of the slip velocity (Elmaian et al.
@@ -100,6 +123,13 @@ struct Linear {
     }
     double resistance_slope(Slip, double speed) const { return slope * speed < kinetic_coefficient ? -slope : 0.0; }
     SlopeRange slopes() const { return {-slope, 0.0}; }
+    std::array<double, 1> corners(Slip) const {
+        return {slope > 0.0 ? kinetic_coefficient / slope : std::numeric_limits<double>::infinity()};
+    }
+    double jet(Slip way, const JetTerms& terms) const {
+        if (terms.last() == 0) return resistance(way, terms.speed[0]);
+        return terms.stretch.from > 0.0 ? 0.0 : -slope * terms.speed.back();
+    }
     bool operator==(const Linear&) const = default;
 };
 
@@ -115,6 +145,9 @@ struct StribeckCurve {
     double exponent = 1.0;             // [1] delta >= 1
     double viscous = 0.0;              // [s/m] k_v >= 0
     bool operator==(const StribeckCurve&) const = default;
+
+    // a power that is no whole number is not analytic where a slip begins
+    bool has_jet() const { return exponent == std::floor(exponent); }
 
     // no steeper than this: x^(delta - 1) exp(-x^delta) and x^(delta - 1)/(1 + x^delta)^2 are at most 1
     SlopeRange slopes() const { return {-exponent * (static_coefficient - kinetic_coefficient) / velocity, viscous}; }
@@ -135,6 +168,8 @@ struct Stribeck {
     double resistance(Slip way, double speed) const;
     double resistance_slope(Slip way, double speed) const;
     SlopeRange slopes() const { return curve.slopes(); }
+    bool has_jet() const { return curve.has_jet(); }
+    double jet(Slip way, JetTerms& terms) const;
     bool operator==(const Stribeck&) const = default;
 };
 
@@ -153,6 +188,8 @@ struct RationalStribeck {
     double resistance(Slip way, double speed) const;
     double resistance_slope(Slip way, double speed) const;
     SlopeRange slopes() const { return curve.slopes(); }
+    bool has_jet() const { return curve.has_jet(); }
+    double jet(Slip way, JetTerms& terms) const;
     bool operator==(const RationalStribeck&) const = default;
 };
 
@@ -187,6 +224,8 @@ struct Measured {
     double resistance(Slip way, double speed) const;
     double resistance_slope(Slip way, double speed) const;
     SlopeRange slopes() const { return range; }
+    std::vector<double> corners(Slip) const;
+    double jet(Slip way, JetTerms& terms) const;
     bool operator==(const Measured& other) const {
         return static_coefficient == other.static_coefficient && *curve == *other.curve;
     }

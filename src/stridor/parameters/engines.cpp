@@ -4,6 +4,7 @@
 #include "stridor/parameters/own_structure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace stridor::parameters {
@@ -61,11 +62,26 @@ const Lack lacks[] = {
      "its impacts are what its steps make of them",
      "Set impact = \"plastic\", or run.engine = \"exact\" for a joint alone."},
     {Demand::other_friction,
-     {Method::exact, Method::taylor},
+     {Method::exact},
      "knows no friction that changes with the slip velocity",
      "what it solves between events is linear",
-     "Set run.engine = \"moreau\", or \"beta_2\" for a joint alone."},
+     "Use the Taylor engine."},
     {Demand::other_friction,
+     {Method::massless},
+     "knows no friction that changes with the slip velocity without inertia at the contacts",
+     "there forces answer places, not velocities",
+     "Set run.formulation = \"standard\"."},
+    {Demand::unexpanded_friction,
+     {Method::exact},
+     "knows no friction that changes with the slip velocity",
+     "what it solves between events is linear",
+     "Set run.engine = \"moreau\"."},
+    {Demand::unexpanded_friction,
+     {Method::taylor},
+     "has no power series of this law of friction",
+     "where a slip begins it is not analytic, or it never sticks",
+     "Set run.engine = \"moreau\", or another law; a stribeck_exponent that is a whole number has one."},
+    {Demand::unexpanded_friction,
      {Method::massless},
      "knows no friction that changes with the slip velocity without inertia at the contacts",
      "there forces answer places, not velocities",
@@ -82,6 +98,15 @@ const Lack lacks[] = {
      "Use \"standard\"; a structure of your own may do without."},
 };
 
+// has the contact's law a power series along any motion (model/friction_jet)? A power of the slip velocity that is no
+// whole number has none where a slip begins
+bool has_series(const Contact& contact) {
+    const bool has_power =
+        contact.friction == FrictionKind::stribeck || contact.friction == FrictionKind::stribeck_rational;
+    if (has_power) return contact.stribeck_exponent == std::floor(contact.stribeck_exponent);
+    return !is_regularised(contact.friction);
+}
+
 }  // namespace
 
 std::optional<base::Problem> refusal(Method method, const Asked& asked, std::string_view name) {
@@ -94,10 +119,15 @@ std::optional<base::Problem> refusal(Method method, const Asked& asked, std::str
     return std::nullopt;
 }
 
+bool is_solved_by_series(const Case& c) {
+    return c.run.engine == Engine::exact &&
+           (c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction));
+}
+
 std::vector<Method> methods_of(const Case& c) {
     switch (c.run.engine) {
         case Engine::exact:
-            return {c.own_structure || has_several_joints(c) ? Method::taylor : Method::exact};
+            return {is_solved_by_series(c) ? Method::taylor : Method::exact};
         case Engine::beta_2:
             return {Method::beta_2};
         case Engine::moreau:
@@ -130,6 +160,7 @@ std::vector<Asked> demands_of(CaseView at) {
     if (has_several_joints(c)) asked.push_back({Demand::several_contacts});
     if (contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
     if (!is_state_wise(contact.friction)) asked.push_back({Demand::other_friction});
+    if (!has_series(contact)) asked.push_back({Demand::unexpanded_friction});
     return asked;
 }
 
@@ -140,6 +171,7 @@ DemandKeys keys_of(Demand demand) {
         case Demand::other_impacts:
             return {"contact.impact", {"run.engine"}};
         case Demand::other_friction:
+        case Demand::unexpanded_friction:
             return {"contact.friction", {"run.engine", "run.formulation"}};
         case Demand::imposed_force:
             return {"run.engine", {"drive.kind"}};

@@ -14,7 +14,7 @@
 namespace stridor::parameters {
 
 /// The methods behind `run.engine` and `run.formulation`. A case goes to `taylor` where its engine is exact and more
-/// than one joint, or a structure of one's own, moves.
+/// than one joint, or a structure of one's own, moves, or where friction changes with the slip velocity.
 enum class Method { exact, taylor, moreau, massless, beta_2 };
 inline constexpr std::array<std::string_view, 5> method_names{"exact", "Taylor", "moreau", "massless", "beta_2"};
 
@@ -22,17 +22,18 @@ inline constexpr std::array<std::string_view, 5> method_names{"exact", "Taylor",
 /// plastic impacts and friction that does not change while the contact slips one way.
 enum class Demand {
     several_contacts,
-    own_structure,   // a structure of one's own
-    any_size,        // other than two or three degrees of freedom
-    two_tangents,    // a contact that slips in two directions
-    other_cone,      // beside such a contact other friction than Coulomb's
-    imposed_force,   // a force shakes the structure
-    other_impacts,   // than plastic ones
-    other_friction,  // a coefficient that changes with the slip velocity: a law that is not state-wise
-    massless_rows,   // rows without mass
-    joint,           // the mass of a joint stands at its contact
+    own_structure,        // a structure of one's own
+    any_size,             // other than two or three degrees of freedom
+    two_tangents,         // a contact that slips in two directions
+    other_cone,           // beside such a contact other friction than Coulomb's
+    imposed_force,        // a force shakes the structure
+    other_impacts,        // than plastic ones
+    other_friction,       // a coefficient that changes with the slip velocity: a law that is not state-wise
+    unexpanded_friction,  // such a law without a power series along the motion
+    massless_rows,        // rows without mass
+    joint,                // the mass of a joint stands at its contact
 };
-inline constexpr std::array<std::string_view, 10> demand_names{
+inline constexpr std::array<std::string_view, 11> demand_names{
     "several contacts",
     "a structure of one's own",
     "any number of degrees of freedom",
@@ -41,9 +42,13 @@ inline constexpr std::array<std::string_view, 10> demand_names{
     "a force that shakes the structure",
     "impacts other than plastic ones",
     "friction that changes with the slip velocity",
+    "friction without a power series",
     "rows without mass",
     "the joint on a plate",
 };
+
+/// Does the exact engine go from event to event by Taylor series?
+bool is_solved_by_series(const Case& c);
 
 /// The methods that a case is solved by: two where both formulations are run.
 std::vector<Method> methods_of(const Case& c);

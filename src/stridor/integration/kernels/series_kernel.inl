@@ -95,6 +95,7 @@ STRIDOR_INLINE void expand_modes(const SeriesProblem& problem, int order, const 
         const double per_step = static_cast<double>(m + 1) / problem.step;
         const Lanes* v = room.v + m * modes;
         accelerate_freely(problem, modes, room.q + m * modes, v, a, m == 0);
+        if (problem.rub != nullptr) problem.rub(problem.friction, m, a);
         if (problem.rows > 0) {
             Lanes* force = room.force + m * registers;
             const double surface_rate = per_step * problem.surface[m + 1];

@@ -2,17 +2,21 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/rules/fastest_slip.hpp"
 #include "stridor/integration/rules/set_search.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stridor::integration {
 
 namespace {
 
-constexpr double impulse_rounding = 1e-12;  // [1] of the largest velocity or impulse
-constexpr double least_pivot = 1e-13;       // [1] of the largest pivot: contacts with less depend on each other
+constexpr double impulse_rounding = 1e-12;        // [1] of the largest velocity or impulse
+constexpr double least_pivot = 1e-13;             // [1] of the largest pivot: contacts with less depend on each other
+constexpr double impulse_ratio_rounding = 1e-13;  // [1] of a ratio that belongs to its slip velocity
+constexpr int most_impulse_rounds = 400;          // through all slips, one by one
 
 Eigen::Index index(std::size_t k) {
     return static_cast<Eigen::Index>(k);
@@ -29,20 +33,65 @@ public:
     }
 
     bool solve();
+    bool solve_with_ratios();
+    bool settle_ratios();
+    bool settle_ratio(std::size_t k);
     bool mend();
     bool solve_any();
     ContactImpulses result() const { return result_; }
 
 private:
-    double ratio(std::size_t k) const { return slip_ratio(structure_.contacts[k].friction, way_of(result_.mode[k])); }
+    // the slip begins with its own ratio, and takes that of the slip velocity that the impact leaves
+    double begun(std::size_t k) const { return slip_ratio(structure_.contacts[k].friction, way_of(result_.mode[k])); }
 
     const ModalStructure& structure_;
     const Meeting& meeting_;
     std::vector<StickLimit> limit_;
+    std::vector<double> ratio_;  // [1] P_t/P_n of the slipping, shape [contact]
     ContactImpulses result_;
 };
 
 bool Trial::solve() {
+    ratio_.assign(result_.mode.size(), 0.0);
+    for (std::size_t k = 0; k < ratio_.size(); ++k)
+        if (is_slip(result_.mode[k])) ratio_[k] = begun(k);
+    return solve_with_ratios() && settle_ratios();
+}
+
+// one slip after the other; one that is pulled opens later, and its ratio says nothing
+bool Trial::settle_ratios() {
+    std::vector<std::size_t> slips;
+    for (std::size_t k = 0; k < ratio_.size(); ++k)
+        if (meeting_.touches[k] && is_slip(result_.mode[k]) && !is_state_wise(structure_.contacts[k].friction))
+            slips.push_back(k);
+    for (int round = 0; round < most_impulse_rounds; ++round) {
+        double changed = 0.0;
+        for (const std::size_t k : slips) {
+            if (!(result_.normal[k] > 0.0)) continue;
+            const double before = ratio_[k];
+            if (!settle_ratio(k)) return false;
+            changed = std::max(changed, std::abs(ratio_[k] - before));
+        }
+        if (changed <= impulse_ratio_rounding) return true;
+    }
+    return false;
+}
+
+// the ratio that belongs to the slip velocity which it leaves, beside what the others have
+bool Trial::settle_ratio(std::size_t k) {
+    const auto velocity_at = [&](double ratio) {
+        ratio_[k] = ratio;
+        return solve_with_ratios() ? result_.slip_velocity[k] : std::numeric_limits<double>::quiet_NaN();
+    };
+    const double reach = std::abs(structure_.compliance(index(2 * k + 1), index(2 * k + 1)) * result_.normal[k]);
+    const std::optional<double> ratio =
+        ratio_of_fastest_slip(structure_.contacts[k].friction, way_of(result_.mode[k]), reach, velocity_at);
+    if (!ratio) return false;
+    ratio_[k] = *ratio;
+    return solve_with_ratios();
+}
+
+bool Trial::solve_with_ratios() {
     const std::size_t p = result_.mode.size();
     std::vector<std::size_t> active, stuck;
     for (std::size_t k = 0; k < p; ++k) {
@@ -62,7 +111,7 @@ bool Trial::solve() {
     for (std::size_t r = 0; r < active.size(); ++r) {
         const std::size_t k = active[r];
         push(index(2 * k), index(r)) = pick(index(r), index(2 * k)) = 1.0;
-        if (is_slip(result_.mode[k])) push(index(2 * k + 1), index(r)) = ratio(k);
+        if (is_slip(result_.mode[k])) push(index(2 * k + 1), index(r)) = ratio_[k];
     }
     for (std::size_t r = 0; r < stuck.size(); ++r) {
         const std::size_t row = active.size() + r;

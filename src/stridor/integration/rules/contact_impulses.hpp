@@ -29,7 +29,7 @@ struct ContactImpulses {
 /// Plastic impact of several contacts:
 ///
 ///     (g', w)+ = (g', w) + W (P_n, P_t);   P_n >= 0, g'+ >= 0, one of them 0;
-///     w+ = 0 with |P_t| <= limit P_n, or P_t = ratio P_n against w+
+///     w+ = 0 with |P_t| <= limit P_n, or P_t = ratio(w+) P_n against w+
 ///
 /// Begins with the modes given: least change decides between several solutions (set_search.hpp). Empty if no set obeys
 /// the laws, and if the contacts depend on each other.

@@ -1,6 +1,7 @@
 #include "stridor/integration/rules/expect_solvable.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/model/friction_jet.hpp"
 
 #include <algorithm>
 #include <string>
@@ -35,6 +36,8 @@ std::vector<Asked> demands_of(const model::Structure& structure) {
     if (has([](const ContactPoint& contact) { return !std::holds_alternative<model::Plastic>(contact.impact); }))
         asked.push_back({Demand::other_impacts});
     if (has(has_slope)) asked.push_back({Demand::other_friction});
+    if (has([](const ContactPoint& contact) { return !has_jet(contact.friction); }))
+        asked.push_back({Demand::unexpanded_friction});
     return asked;
 }
 

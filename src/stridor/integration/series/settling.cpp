@@ -226,11 +226,28 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
     return has_ended;
 }
 
+// the contacts with the friction of their slip velocities
+std::vector<ModalContact> Settling::rubbing_as_now(const TaylorState& state, const SurfaceSeries& surface) const {
+    std::vector<ModalContact> contacts = structure_.contacts;
+    for (ModalContact& contact : contacts) {
+        if (is_state_wise(contact.friction)) continue;
+        const double w = slip_velocity(contact, state.v, surface[0]);
+        model::Directional now;
+        for (const model::Slip way : model::slips) {
+            now.static_coefficients[index_of(way)] = stick_limit(contact.friction, way);
+            now.kinetic_coefficients[index_of(way)] = std::abs(slip_ratio(contact.friction, way, w));
+        }
+        contact.friction = now;
+    }
+    return contacts;
+}
+
 // why no set obeys all laws
-Settled Settling::failed() {
+Settled Settling::failed(const TaylorState& state, const SurfaceSeries& surface) {
     pressed_.clear();
     // none was looked at where rounds of impacts and flights came to no end
-    if (!possible_.empty()) pressed_ = pressed_contacts(structure_.contacts, structure_.compliance, possible_);
+    if (!possible_.empty())
+        pressed_ = pressed_contacts(rubbing_as_now(state, surface), structure_.compliance, possible_);
     return pressed_.empty() ? Settled::inconsistent : Settled::pressed;
 }
 
@@ -244,7 +261,7 @@ Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
         return Settled::done;
     };
     const auto give_up = [&] {
-        if (!lawful) return failed();
+        if (!lawful) return failed(state, surface);
         state = lawful->state;
         begins_ = lawful->begins;
         losses_ = lawful->losses;
@@ -278,7 +295,7 @@ Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
 Settled Settling::fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function) {
     ContactMode& mode = state.set[contact];
     if (mode == ContactMode::open) {
-        if (!collide(state, surface, contact)) return failed();
+        if (!collide(state, surface, contact)) return failed(state, surface);
         return go_on(state, surface);
     }
     const bool is_stuck = mode == ContactMode::stick;

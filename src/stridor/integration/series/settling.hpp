@@ -105,7 +105,8 @@ private:
     void hold_ended(TaylorState& state, const SurfaceSeries& surface);
     void correct_modes(TaylorState& state, const SurfaceSeries& surface);
     void look(const TaylorState& state, std::size_t contact, Violation& worst);
-    Settled failed();
+    std::vector<ModalContact> rubbing_as_now(const TaylorState& state, const SurfaceSeries& surface) const;
+    Settled failed(const TaylorState& state, const SurfaceSeries& surface);
     Settled go_on(TaylorState& state, const SurfaceSeries& surface);
 
     const ModalStructure& structure_;

@@ -46,7 +46,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       // a structure without springs and dashpots has no rate of its own: the run is its block
       step_(std::min(2.0 / std::max(structure_.fastest, base::two_pi * drive_.profile().frequency),
                      record::end_of(recorder.schedule()))),
-      block_(structure_, step_),
+      block_(structure_, step_, settings.order),
       settling_(structure_, step_),
       sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::channels_of(structure))),
             std::vector<record::Load>(structure.contacts.size())},
@@ -190,19 +190,22 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
         block_.expand(state_.q, state_.v, surface_);
+        surface_ = block_.surface();
+        const double length = block_.length();
         const double boundary = next_boundary();
         if (std::exchange(entered, boundary) != boundary) press(0.0);
-        const double reach = std::min({1.0, block_.reach(), std::max(0.0, (boundary - time_) / step_)});
+        const double reach =
+            block_.stretch_end(std::min({1.0, block_.reach(), std::max(0.0, (boundary - time_) / length)}));
         const Firing firing = first_firing(reach);
         if (firing.is_lost) return {Reason::diverged, time_};
         const bool fires = firing.theta <= reach;
         const double theta = fires ? firing.theta : reach;
         account(theta);
         pass_samples(theta);
-        const bool ends_at_boundary = !fires && reach * step_ + time_ >= boundary;
+        const bool ends_at_boundary = !fires && reach * length + time_ >= boundary;
         if (fires || ends_at_boundary) press(theta);
         move(theta);
-        time_ = ends_at_boundary ? boundary : time_ + theta * step_;
+        time_ = ends_at_boundary ? boundary : time_ + theta * length;
         if (fires) {
             if (const auto outcome = fire(firing)) return *outcome;
             if (watch_for_cycle(stop))

@@ -52,13 +52,14 @@ void TaylorRun::account(double theta) {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         const ContactMode mode = state_.set[k];
         if (mode == ContactMode::open) continue;
-        tangential_[k] = values_of(mode == ContactMode::stick ? block_.friction_force(k) : block_.normal_force(k), x);
-        if (mode == ContactMode::stick) continue;
+        const bool is_expanded = block_.expands_friction(k);
+        tangential_[k] = values_of(is_expanded ? block_.friction_force(k) : block_.normal_force(k), x);
+        if (is_expanded) continue;
         for (double& each : tangential_[k])
             each = slip_ratio(structure_.contacts[k].friction, way_of(mode)) * each;
     }
     for (std::size_t i = 0; i < block_places; ++i) {
-        const double duration = node_weight[i] * theta * step_;
+        const double duration = node_weight[i] * theta * block_.length();
         const double* v = velocities_[i * registers_for(modes)].at;
         work_.dashpot_loss += duration * dashpot_power(structure_, {v, modes});
         for (std::size_t k = 0; k < state_.set.size(); ++k) {
@@ -88,7 +89,7 @@ void TaylorRun::account(double theta) {
 void TaylorRun::add_normal_impulse(double theta, Sums& sums) const {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         if (state_.set[k] == ContactMode::open) continue;
-        sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
+        sums.load[structure_.number[k]].normal_impulse += block_.length() * integral(block_.normal_force(k), theta);
     }
 }
 
@@ -120,7 +121,7 @@ void TaylorRun::pass_samples(double theta) {
     Eigen::VectorXd q(n), v(n), a(n);
     for (; samples_.has_next(); ++samples_.next) {
         const double time = samples_.next_time();
-        const double x = std::max(0.0, (time - time_) / step_);
+        const double x = std::max(0.0, (time - time_) / block_.length());
         if (x > theta) return;
         block_.state_at(x, {q.data(), structure_.modes()}, {v.data(), structure_.modes()});
         block_.acceleration_at(x, {a.data(), structure_.modes()});
@@ -135,7 +136,7 @@ void TaylorRun::pass_samples(double theta) {
                 continue;
             }
             sample.normal_force = std::max(0.0, value_of(block_.normal_force(k), x));
-            sample.friction_force = mode == ContactMode::stick
+            sample.friction_force = block_.expands_friction(k)
                                         ? value_of(block_.friction_force(k), x)
                                         : slip_ratio(c.friction, way_of(mode)) * sample.normal_force;
         }

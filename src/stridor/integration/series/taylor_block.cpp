@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t most_prepared = 4096;  // sets: beyond it they are prepared anew
 constexpr double least_pivot_share = 1e-13;  // of the largest: rows with less depend on each other
-// a last term above this share of the first is not rounding
-constexpr double series_rounding = 1e-17;
 
 // rows of so many numbers, each filled up with zeros
 std::vector<Lanes> in_registers(std::span<const double> numbers, std::size_t row) {
@@ -28,12 +26,14 @@ std::vector<Lanes> in_registers(std::span<const double> numbers, std::size_t row
 
 }  // namespace
 
-TaylorBlock::TaylorBlock(const ModalStructure& structure, double step)
+TaylorBlock::TaylorBlock(const ModalStructure& structure, double step, int highest)
     : structure_(structure),
       step_(step),
+      length_(step),
       kernel_(series_kernel()),
       modes_(structure.modes()),
       registers_(registers_for(modes_)),
+      highest_(highest),
       square_(in_registers(structure.square_frequency, modes_)),
       damping_(in_registers(structure.damping, modes_)),
       load_(in_registers(structure.load, modes_)),
@@ -61,8 +61,9 @@ TaylorBlock::Rows TaylorBlock::listed(const ContactSet& set) const {
         const std::size_t k = is_normal ? rows.normal[r] : rows.tangent[r - rows.normal.size()];
         const ModalContact& contact = structure_.contacts[k];
         const std::vector<double>& row = is_normal ? contact.normal : contact.tangent;
-        const double ratio = is_normal && is_slip(set[k]) ? slip_ratio(contact.friction, way_of(set[k])) : 0.0;
+        const double ratio = is_normal && is_slip(set[k]) ? ratio_at(k, way_of(set[k])) : 0.0;
         if (!is_normal) rows.drive[r] = contact.drive_share;
+        if (is_normal && is_slip(set[k]) && !is_state_wise(contact.friction)) rows.rubbed.push_back(r);
         for (std::size_t j = 0; j < modes_; ++j) {
             number_in(&rows.constraint[r * registers_], j) = row[j];
             number_in(&rows.push[r * registers_], j) = ratio == 0.0 ? row[j] : row[j] + ratio * contact.tangent[j];
@@ -82,8 +83,7 @@ Eigen::MatrixXd TaylorBlock::products(const ContactSet& set, const Rows& rows) c
     for (std::size_t c = 0; c < rows.count(); ++c) {
         const Eigen::Index column = number(c);
         const bool slips = c < closed && is_slip(set[rows.normal[c]]);
-        const double ratio =
-            slips ? slip_ratio(structure_.contacts[rows.normal[c]].friction, way_of(set[rows.normal[c]])) : 0.0;
+        const double ratio = slips ? ratio_at(rows.normal[c], way_of(set[rows.normal[c]])) : 0.0;
         for (std::size_t r = 0; r < rows.count(); ++r)
             seen(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
                 structure_.compliance(number(r), column) +
@@ -125,27 +125,42 @@ std::vector<Lanes> TaylorBlock::eliminated(const Rows& rows, const Eigen::Matrix
     return columns;
 }
 
-TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
-    Rows rows = listed(set);
-    const auto size = static_cast<Eigen::Index>(rows.count());
-    if (size == 0) return rows;
+// T/N of a slip: at the block's beginning, where it changes
+double TaylorBlock::ratio_at(std::size_t contact, model::Slip way) const {
+    for (const Rubbing& slip : rubbing_)
+        if (slip.contact == contact) return slip.ratio[0];
+    return slip_ratio(structure_.contacts[contact].friction, way);
+}
+
+// (R'B)^-1
+Eigen::MatrixXd TaylorBlock::inverted(const ContactSet& set, Rows& rows) const {
     Eigen::FullPivLU<Eigen::MatrixXd> factor(products(set, rows));
     factor.setThreshold(least_pivot_share);
     rows.is_singular = !factor.isInvertible();
-    if (rows.is_singular) return rows;
-    const Eigen::MatrixXd inverse = factor.inverse();
+    if (rows.is_singular) return {};
+    Eigen::MatrixXd inverse = factor.inverse();
     rows.inverse = in_registers({inverse.data(), static_cast<std::size_t>(inverse.size())}, rows.count());
+    return inverse;
+}
+
+TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
+    Rows rows = listed(set);
+    if (rows.count() == 0) return rows;
+    const Eigen::MatrixXd inverse = inverted(set, rows);
+    if (rows.is_singular || !rows.rubbed.empty()) return rows;
     if (registers_ == 1 && rows.count() <= lanes) rows.eliminated = eliminated(rows, inverse);
     return rows;
 }
 
 bool TaylorBlock::choose(const ContactSet& set) {
+    rubbing_.clear();
     auto found = prepared_.find(set);
     if (found == prepared_.end()) {
         if (prepared_.size() >= most_prepared) prepared_.clear();
         found = prepared_.emplace(set, prepare(set)).first;
     }
-    rows_ = &found->second;
+    rows_ = chosen_ = &found->second;
+    set_ = set;
     return !rows_->is_singular;
 }
 
@@ -153,29 +168,40 @@ SeriesRoom TaylorBlock::room() {
     return {q_.data(), v_.data(), force_.data(), acceleration_.data(), right_.data()};
 }
 
+SeriesProblem TaylorBlock::problem() {
+    return {.modes = registers_,
+            .rows = rows_->count(),
+            .square = square_.data(),
+            .damping = damping_.data(),
+            .damped_modes = structure_.is_damped_by_mode() ? 0 : modes_,
+            .load = load_.data(),
+            .constraint = rows_->constraint.data(),
+            .push = rows_->push.data(),
+            .inverse = rows_->inverse.data(),
+            .drive = rows_->drive.data(),
+            .surface = surface_.data(),
+            .step = length_,
+            .eliminated = rows_->eliminated.empty() ? nullptr : rows_->eliminated.data(),
+            .numbers = modes_};
+}
+
 void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
                          int order) {
-    order_ = order;
+    rows_ = chosen_;
+    rubbing_.clear();
+    order_ = std::min(order, highest_);
     surface_ = surface;
+    length_ = step_;
     acceleration_sizes_.clear();
     constraint_sizes_.clear();
     std::copy(q.begin(), q.end(), q_.front().at);
     std::copy(v.begin(), v.end(), v_.front().at);
-    kernel_.expand({.modes = registers_,
-                    .rows = rows_->count(),
-                    .square = square_.data(),
-                    .damping = damping_.data(),
-                    .damped_modes = structure_.is_damped_by_mode() ? 0 : modes_,
-                    .load = load_.data(),
-                    .constraint = rows_->constraint.data(),
-                    .push = rows_->push.data(),
-                    .inverse = rows_->inverse.data(),
-                    .drive = rows_->drive.data(),
-                    .surface = surface_.data(),
-                    .step = step_,
-                    .eliminated = rows_->eliminated.empty() ? nullptr : rows_->eliminated.data(),
-                    .numbers = modes_},
-                   order_, room());
+    if (!rows_->rubbed.empty()) return expand_rubbing();
+    kernel_.expand(problem(), order_, room());
+    store_forces();
+}
+
+void TaylorBlock::store_forces() {
     for (std::size_t k = 0; k < normal_.size(); ++k) {
         normal_[k].fill(0.0);
         friction_[k].fill(0.0);
@@ -257,12 +283,12 @@ const std::vector<double>& TaylorBlock::constraint_sizes() const {
 }
 
 double TaylorBlock::free_change_scale(std::size_t contact) const {
-    return step_ * dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes());
+    return length_ * dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes());
 }
 
 double TaylorBlock::velocity_change_scale(std::size_t contact) const {
     const auto own = static_cast<Eigen::Index>(2 * contact + 1);
-    return free_change_scale(contact) + step_ * structure_.compliance(own, own) * force_scale(contact);
+    return free_change_scale(contact) + length_ * structure_.compliance(own, own) * force_scale(contact);
 }
 
 double TaylorBlock::gap_change_scale(std::size_t contact) const {
@@ -276,7 +302,7 @@ double TaylorBlock::gap_change_scale(std::size_t contact) const {
         for (std::size_t j = 0; j < modes_; ++j)
             size[j] += force * std::abs(number_in(&rows_->push[r * registers_], j));
     }
-    return step_ * step_ * dot_of_sizes(structure_.contacts[contact].normal, size);
+    return length_ * length_ * dot_of_sizes(structure_.contacts[contact].normal, size);
 }
 
 // (R'B)^-1 R' a likewise
@@ -317,11 +343,12 @@ void TaylorBlock::acceleration_at(double theta, std::span<double> a) const {
     for (int m = order_ + 1; m >= 1; --m) {
         const std::span<const double> c = coefficient(v_, m);
         for (std::size_t j = 0; j < modes_; ++j)
-            a[j] = a[j] * theta + static_cast<double>(m) / step_ * c[j];
+            a[j] = a[j] * theta + static_cast<double>(m) / length_ * c[j];
     }
 }
 
 double TaylorBlock::reach() const {
+    if (!rubbing_.empty()) return 1.0;  // the block was shortened to it
     double last = 0.0, largest = 0.0;
     const std::span<const double> end = coefficient(v_, order_ + 1);
     for (std::size_t j = 0; j < modes_; ++j)
@@ -334,7 +361,7 @@ double TaylorBlock::reach() const {
     double theta = 1.0, share = last / (series_rounding * largest);
     while (share > 1.0 && theta > 0x1p-20) {
         theta *= 0.5;
-        share *= 0x1p-25;
+        share = std::ldexp(share, -(order_ + 1));
     }
     return theta;
 }

@@ -3,6 +3,8 @@
 #include "stridor/integration/kernels/series_kernel.hpp"
 #include "stridor/integration/modal/modal_structure.hpp"
 #include "stridor/integration/rules/contact_mode.hpp"
+#include "stridor/integration/series/block_order.hpp"
+#include "stridor/model/friction_jet.hpp"
 
 #include <array>
 #include <cstddef>
@@ -13,9 +15,10 @@
 
 namespace stridor::integration {
 
-/// Order of the series of a block: with h = 2/Omega the next term is 2^25/25! = 2e-18 of the first.
-inline constexpr int block_order = 24;
 using BlockSeries = std::array<double, block_order + 1>;
+
+/// Above this share of the first a last term is not rounding.
+inline constexpr double series_rounding = 1e-17;
 
 /// Values of a polynomial at several places at once.
 BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x);
@@ -32,22 +35,42 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 ///
 /// with R = {n_i of the closed; t_i of the stuck}, B = {n_i + ratio_i t_i of the slipping, n_i of the stuck; t_i of
 /// the stuck}, a the acceleration without contact forces, r = {0; V_i'}, lam = {N_i; T_i}.
+///
+/// Where a ratio changes with the slip velocity w_i, T_i = ratio_i(w_i) N_i is a product of series:
+///
+///     T_m = ratio_0 N_m + sum_{j=1..m} ratio_j N_{m-j}
+///
+/// ratio_m follows from w_0..w_m (model/friction_jet), w_m from accelerations before m: so the sum is known when N_m is
+/// sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series then ends where
+/// that of the ratio does: the block is halved until its last terms are rounding.
 class TaylorBlock {
 public:
-    TaylorBlock(const ModalStructure& structure, double step);
+    /// `highest` [1]: no expansion goes beyond this order.
+    TaylorBlock(const ModalStructure& structure, double step, int highest = block_order);
 
-    double step() const { return step_; }  // [s] h
+    double step() const { return step_; }      // [s] the longest block
+    double length() const { return length_; }  // [s] h, of the block that was expanded
 
     /// Chooses what the contacts do. Returns false where R'B is singular: no forces belong to the set.
     bool choose(const ContactSet& set);
 
-    /// Expands up to `order` from a state (shape [mode]); the surface's velocity belongs to the same instant.
+    /// Expands up to `order` from a state (shape [mode]); the surface's velocity belongs to the same instant and to a
+    /// block of `step()`. Friction that changes with the slip velocity is always expanded up to the highest order.
     void expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
                 int order = block_order);
 
-    /// Coefficients of the closed contact's forces on the structure [N]; zero if it is open.
+    /// The surface's velocity over the block that was expanded.
+    const SurfaceSeries& surface() const { return surface_; }
+
+    /// Coefficients of the closed contact's forces on the structure [N]; zero if it is open. That of friction is zero
+    /// where it is a constant share of the other.
     const BlockSeries& normal_force(std::size_t contact) const { return normal_[contact]; }
     const BlockSeries& friction_force(std::size_t contact) const { return friction_[contact]; }
+
+    /// Is the friction force of the closed contact a series of its own? Else it is a constant share of the normal force.
+    bool expands_friction(std::size_t contact) const {
+        return set_[contact] == ContactMode::stick || !is_state_wise(structure_.contacts[contact].friction);
+    }
 
     /// Those of the gap [m] and of the slip velocity [m/s], by sums over the modes.
     BlockSeries gap(std::size_t contact) const;
@@ -75,6 +98,10 @@ public:
     /// Last place up to which the series is exact to rounding: 1 but for sets near a Painleve configuration.
     double reach() const;
 
+    /// First place, up to `reach`, at which a slip velocity leaves the stretch of speeds that its friction was expanded
+    /// for; `reach` if none does.
+    double stretch_end(double reach) const;
+
 private:
     // what depends on the set alone
     struct Rows {
@@ -86,8 +113,23 @@ private:
         std::vector<Lanes> inverse;        // (R'B)^-1, shape [column][row]
         std::vector<double> drive;         // [1] share of the surface's velocity, shape [row]
         std::vector<Lanes> eliminated;     // of small structures (series_kernel.hpp), else empty
+        std::vector<std::size_t> rubbed;   // normal rows of slips whose ratio changes with the slip velocity
 
         std::size_t count() const { return normal.size() + tangent.size(); }
+    };
+
+    // friction of a slip along the block
+    struct Rubbing {
+        std::size_t row = 0;  // its normal row
+        std::size_t contact = 0;
+        model::Slip way = model::Slip::forward;
+        double sign = 1.0;  // of the slip velocity
+        model::FrictionJet jet;
+        model::SpeedStretch stretch{};
+        double corner_rounding = 0.0;  // [m/s]
+        BlockSeries speed{};           // [m/s]
+        BlockSeries ratio{};           // [1]
+        BlockSeries known{};           // [N] of T, without what the normal force of the same power adds
     };
 
     Rows prepare(const ContactSet& set) const;
@@ -101,16 +143,31 @@ private:
     const std::vector<double>& acceleration_sizes() const;
     const std::vector<double>& constraint_sizes() const;
     SeriesRoom room();
+    SeriesProblem problem();
+    void store_forces();
+    double ratio_at(std::size_t contact, model::Slip way) const;
+    Eigen::MatrixXd inverted(const ContactSet& set, Rows& rows) const;
+    void expand_rubbing();
+    void begin_rubbing();
+    void rub(std::size_t m, Lanes* acceleration);
+    double reached_share() const;
+    void shorten(double share);
 
     const ModalStructure& structure_;
     double step_;
+    double length_;
     const SeriesKernel& kernel_;
     std::size_t modes_;
     std::size_t registers_;  // that hold the modes
+    int highest_;
     int order_ = 0;
     SurfaceSeries surface_{};
     std::map<std::vector<ContactMode>, Rows> prepared_{};
+    const Rows* chosen_ = nullptr;  // what is prepared of the set
+    ContactSet set_{};
+    Rows at_ratios_{};  // the same with the ratios of the block's beginning
     const Rows* rows_ = nullptr;
+    std::vector<Rubbing> rubbing_{};
     std::vector<Lanes> square_, damping_, load_;  // those of the structure
     std::vector<Lanes> q_, v_, force_;            // shapes [order + 2][mode], [order + 1][row]
     std::vector<Lanes> acceleration_, right_;     // of one coefficient

@@ -15,12 +15,19 @@ constexpr long blocks_before_proof = 16;
 
 }  // namespace
 
+// is the motion linear as long as no contact changes? Else a set is not proven to last
+bool TaylorRun::is_linear() const {
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        if (is_slip(state_.set[k]) && !is_state_wise(structure_.contacts[k].friction)) return false;
+    return true;
+}
+
 bool TaylorRun::watch_for_silence() {
     if (!may_end_early_ || structure_.modes() > most_proven_modes) return false;
     const long wait = blocks_before_proof * static_cast<long>(structure_.modes());
     const long rounds = ++blocks_since_event_ / wait;
     if (blocks_since_event_ % wait != 0 || (rounds & (rounds - 1)) != 0) return false;
-    if (!std::all_of(state_.set.begin(), state_.set.end(), is_slip)) return false;
+    if (!std::all_of(state_.set.begin(), state_.set.end(), is_slip) || !is_linear()) return false;
     LastingSet set(structure_, state_.set, surface(time_)[0]);
     silence_ = set.silence(state_.q, state_.v, time_);
     if (!silence_) return false;
@@ -109,7 +116,8 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
 
 std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(structure_.number.size(), proven_outlook(silence_, cycle_));
-    const bool may_know = outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes;
+    const bool may_know =
+        outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes && is_linear();
     if (!may_know) return known;
     const LastingSet set(structure_, state_.set, surface(outcome.time)[0]);
     std::vector<double> since;

@@ -63,6 +63,7 @@ private:
     bool pass_boundary();
     void end_span();
     void tell();
+    bool is_linear() const;
     bool watch_for_silence();
     void fill_with_silence(LastingSet& set);
     bool watch_for_cycle(const std::stop_token& stop);

@@ -1,0 +1,185 @@
+// Blocks in which contacts slip whose ratio T/N changes with the slip velocity (taylor_block.hpp).
+
+#include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/series/event_polynomial.hpp"
+#include "stridor/integration/series/taylor_block.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr double stretch_rounding = 1e-13;    // [1] of a speed's terms: it stands on a corner of its law
+constexpr double first_shortening = 0x1p-12;  // of a block in which a coefficient left double precision
+constexpr double least_share = 0x1p-120;      // of the longest block: shorter ones come to no end
+constexpr double least_advance = 0x1p-20;     // of a block that a corner ends: motion goes on
+
+// sum of a_j b_(m-j), j = 1..m
+double product_without_first(const BlockSeries& a, const BlockSeries& b, std::size_t m) {
+    double sum = 0.0;
+    for (std::size_t j = 1; j <= m; ++j)
+        sum += a[j] * b[m - j];
+    return sum;
+}
+
+// c_m share^m
+template <typename Series>
+void scale_powers(Series& c, double share) {
+    double power = 1.0;
+    for (double& each : c) {
+        each *= power;
+        power *= share;
+    }
+}
+
+}  // namespace
+
+// B and (R'B)^-1 with the ratios of the block's beginning
+void TaylorBlock::begin_rubbing() {
+    const std::span<const double> v = coefficient(v_, 0);
+    rubbing_.clear();
+    for (const std::size_t r : chosen_->rubbed) {
+        const std::size_t k = chosen_->normal[r];
+        const ModalContact& contact = structure_.contacts[k];
+        const model::Slip way = way_of(set_[k]);
+        Rubbing slip{.row = r,
+                     .contact = k,
+                     .way = way,
+                     .sign = way == model::Slip::forward ? 1.0 : -1.0,
+                     .jet = {contact.friction, way},
+                     .corner_rounding = stretch_rounding * velocity_scale(k)};
+        slip.speed[0] = slip.sign * (dot(contact.tangent, v) - contact.drive_share * surface_[0]);
+        slip.ratio[0] = -slip.sign * slip.jet.next({slip.speed.data(), 1});
+        rubbing_.push_back(slip);
+    }
+    at_ratios_ = *chosen_;
+    for (const Rubbing& slip : rubbing_) {
+        const ModalContact& contact = structure_.contacts[slip.contact];
+        for (std::size_t j = 0; j < modes_; ++j)
+            number_in(&at_ratios_.push[slip.row * registers_], j) =
+                contact.normal[j] + slip.ratio[0] * contact.tangent[j];
+    }
+    inverted(set_, at_ratios_);
+    rows_ = &at_ratios_;
+}
+
+// what lower coefficients make of friction in this one
+void TaylorBlock::rub(std::size_t m, Lanes* acceleration) {
+    if (m == 0) return;
+    const std::size_t registers = registers_for(rows_->count());
+    const std::span<const double> v = coefficient(v_, static_cast<int>(m));
+    for (Rubbing& slip : rubbing_) {
+        const ModalContact& contact = structure_.contacts[slip.contact];
+        BlockSeries& N = normal_[slip.contact];
+        N[m - 1] = number_in(&force_[(m - 1) * registers], slip.row);
+        slip.speed[m] = slip.sign * (dot(contact.tangent, v) - contact.drive_share * surface_[m]);
+        if (m == 1) {
+            const model::CornerSide side = slip.speed[1] > 0.0 ? model::CornerSide::above : model::CornerSide::below;
+            slip.stretch = speed_stretch(contact.friction, slip.way, slip.speed[0], slip.corner_rounding, side);
+            slip.jet.choose(slip.stretch);
+        }
+        slip.ratio[m] = -slip.sign * slip.jet.next({slip.speed.data(), m + 1});
+        slip.known[m] = product_without_first(slip.ratio, N, m);
+        for (std::size_t j = 0; j < modes_; ++j)
+            number_in(acceleration, j) += slip.known[m] * contact.tangent[j];
+    }
+}
+
+// the part of the block that the series reaches to rounding, a power of two
+double TaylorBlock::reached_share() const {
+    const auto largest = [&](int m) {
+        double most = 0.0;
+        for (const double each : coefficient(v_, m))
+            most = std::max(most, std::abs(each));
+        return most;
+    };
+    const std::array first{largest(0), largest(1), largest(2), largest(3)};
+    const double end = largest(order_), behind = largest(order_ + 1);
+    double share = 1.0;
+    const auto is_reached = [&] {
+        double whole = 0.0, power = 1.0;
+        for (const double each : first) {
+            whole = std::max(whole, each * power);
+            power *= share;
+        }
+        for (std::size_t m = first.size(); m < static_cast<std::size_t>(order_); ++m)
+            power *= share;
+        return power * std::max(end, behind * share) <= series_rounding * whole;
+    };
+    while (!is_reached() && share > least_share)
+        share *= 0.5;
+    return share;
+}
+
+// scales by powers of two, which do not round
+void TaylorBlock::shorten(double share) {
+    length_ *= share;
+    scale_powers(surface_, share);
+    double power = 1.0;
+    const std::size_t forces = registers_for(rows_->count());
+    for (std::size_t m = 0; m < static_cast<std::size_t>(order_) + 2; ++m) {
+        for (std::vector<Lanes>* series : {&q_, &v_})
+            for (std::size_t r = 0; r < registers_; ++r)
+                for (double& each : (*series)[m * registers_ + r].at)
+                    each *= power;
+        for (std::size_t r = 0; r < forces && m <= static_cast<std::size_t>(order_); ++r)
+            for (double& each : force_[m * forces + r].at)
+                each *= power;
+        power *= share;
+    }
+    for (Rubbing& slip : rubbing_)
+        for (BlockSeries* series : {&slip.speed, &slip.ratio, &slip.known})
+            scale_powers(*series, share);
+}
+
+// up to the highest order: the last coefficients tell how far the series reaches
+void TaylorBlock::expand_rubbing() {
+    order_ = highest_;
+    for (bool is_number = false; !is_number && length_ > least_share * step_;) {
+        begin_rubbing();
+        SeriesProblem rubbed = problem();
+        rubbed.rub = [](void* block, std::size_t m, Lanes* acceleration) {
+            static_cast<TaylorBlock*>(block)->rub(m, acceleration);
+        };
+        rubbed.friction = this;
+        kernel_.expand(rubbed, order_, room());
+        is_number = is_finite(coefficient(v_, order_), coefficient(v_, order_ + 1));
+        if (is_number) break;
+        length_ *= first_shortening;
+        scale_powers(surface_, first_shortening);
+    }
+    const double share = reached_share();
+    if (share < 1.0) shorten(share);
+    store_forces();
+    for (const Rubbing& slip : rubbing_) {
+        const BlockSeries& N = normal_[slip.contact];
+        for (std::size_t m = 0; m < N.size(); ++m)
+            friction_[slip.contact][m] = slip.ratio[0] * N[m] + slip.known[m];
+    }
+}
+
+double TaylorBlock::stretch_end(double reach) const {
+    double end = reach;
+    const auto leave = [&](const Rubbing& slip, double corner, double sign) {
+        if (!std::isfinite(corner)) return;
+        BlockSeries left;
+        for (std::size_t m = 0; m < left.size(); ++m)
+            left[m] = -sign * slip.speed[m];
+        left[0] += sign * corner;
+        const int dropped = std::abs(left[0]) <= slip.corner_rounding ? 1 : 0;
+        const double place = first_zero(left, dropped, end);
+        if (place < end) end = std::max(place, std::min(least_advance, end));
+    };
+    for (const Rubbing& slip : rubbing_) {
+        leave(slip, slip.stretch.to, 1.0);
+        leave(slip, slip.stretch.from, -1.0);
+    }
+    return end;
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,179 @@
+#include "stridor/model/friction_jet.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <limits>
+#include <vector>
+
+namespace stridor::model {
+
+namespace {
+
+template <typename Law>
+concept HasJet = requires(const Law& law, JetTerms& terms) {
+    { law.jet(Slip::forward, terms) } -> std::convertible_to<double>;
+};
+
+// sum of a_j b_(m-j), j = first..m
+double convolution(std::span<const double> a, std::span<const double> b, std::size_t first, std::size_t m) {
+    double sum = 0.0;
+    for (std::size_t j = first; j <= m; ++j)
+        sum += a[j] * b[m - j];
+    return sum;
+}
+
+constexpr std::size_t outer = 7;  // of a law's own series, behind those of powers
+
+// (|w|/v_s)^delta up to the wanted coefficient, by squares: delta is whole, and 20 at most
+std::span<const double> speed_powers(const StribeckCurve& curve, JetTerms& terms) {
+    const std::size_t m = terms.last();
+    std::size_t square = 0, next = 1, product = outer;
+    terms.own[0][m] = terms.speed[m] / curve.velocity;
+    for (auto left = static_cast<unsigned>(curve.exponent);;) {
+        if (left % 2 == 1 && product == outer) {
+            product = square;
+        } else if (left % 2 == 1) {
+            terms.own[next][m] = convolution(terms.own[product], terms.own[square], 0, m);
+            product = next++;
+        }
+        left /= 2;
+        if (left == 0) return terms.own[product];
+        terms.own[next][m] = convolution(terms.own[square], terms.own[square], 0, m);
+        square = next++;
+    }
+}
+
+double whole_fall(const StribeckCurve& curve) {
+    return curve.static_coefficient - curve.kinetic_coefficient;
+}
+
+// a speed [m/s] within a stretch
+double middle(const SpeedStretch& stretch) {
+    const double from = stretch.from > 0.0 ? stretch.from : 0.0;
+    return stretch.to < std::numeric_limits<double>::infinity() ? 0.5 * (from + stretch.to) : stretch.to;
+}
+
+}  // namespace
+
+// y = exp(-x) has m y_m = -sum j x_j y_(m-j)
+double Stribeck::jet(Slip, JetTerms& terms) const {
+    const std::size_t m = terms.last();
+    const std::span<const double> x = speed_powers(curve, terms);
+    std::array<double, most_jet_coefficients>& y = terms.own[outer];
+    if (m == 0) {
+        y[0] = base::exponential(-x[0]);
+        return curve.static_coefficient - whole_fall(curve) * (1.0 - y[0]) + curve.viscous * terms.speed[0];
+    }
+    double sum = 0.0;
+    for (std::size_t j = 1; j <= m; ++j)
+        sum += static_cast<double>(j) * x[j] * y[m - j];
+    y[m] = -sum / static_cast<double>(m);
+    return whole_fall(curve) * y[m] + curve.viscous * terms.speed[m];
+}
+
+// y = 1/(1 + x) has (1 + x_0) y_m = -sum x_j y_(m-j)
+double RationalStribeck::jet(Slip, JetTerms& terms) const {
+    const std::size_t m = terms.last();
+    const std::span<const double> x = speed_powers(curve, terms);
+    std::array<double, most_jet_coefficients>& y = terms.own[outer];
+    if (m == 0) {
+        y[0] = 1.0 / (1.0 + x[0]);
+        return curve.static_coefficient - whole_fall(curve) * (x[0] * y[0]) + curve.viscous * terms.speed[0];
+    }
+    y[m] = -convolution(x, y, 1, m) / (1.0 + x[0]);
+    return whole_fall(curve) * y[m] + curve.viscous * terms.speed[m];
+}
+
+// the rows but the first, and where the curve passes mu_s: above it no row counts
+std::vector<double> Measured::corners(Slip way) const {
+    std::vector<double> corners;
+    for (std::size_t k = 0; k + 1 < curve->speeds.size(); ++k) {
+        double low = curve->speeds[k], high = curve->speeds[k + 1];
+        const bool begins_below = curve->coefficients[k] < static_coefficient;
+        const bool ends_below = curve->coefficients[k + 1] < static_coefficient;
+        for (bool halves = begins_below != ends_below; halves;) {
+            const double place = 0.5 * (low + high);
+            halves = place > low && place < high;
+            ((resistance(way, place) < static_coefficient) == begins_below ? low : high) = place;
+        }
+        if (begins_below != ends_below && high < curve->speeds[k + 1]) corners.push_back(high);
+        corners.push_back(curve->speeds[k + 1]);
+    }
+    return corners;
+}
+
+// within rows that stand h apart, x = (|w| - w_k)/h: mu_k + x d + x (1 - x) (a (1 - x) - b x), a = h s_k - d,
+// b = h s_(k+1) - d
+double Measured::jet(Slip way, JetTerms& terms) const {
+    const std::size_t m = terms.last();
+    if (m == 0) return resistance(way, terms.speed[0]);
+    const double within = middle(terms.stretch);
+    if (within >= curve->speeds.back() || resistance(way, within) >= static_coefficient) return 0.0;
+    const auto next = std::upper_bound(curve->speeds.begin(), curve->speeds.end(), within);
+    const auto k = static_cast<std::size_t>(next - curve->speeds.begin()) - 1;
+    const double h = curve->speeds[k + 1] - curve->speeds[k], d = curve->coefficients[k + 1] - curve->coefficients[k];
+    std::array<double, most_jet_coefficients>&x = terms.own[0], &square = terms.own[1], &cube = terms.own[2];
+    if (m == 1) {
+        x[0] = (terms.speed[0] - curve->speeds[k]) / h;
+        square[0] = x[0] * x[0];
+        cube[0] = square[0] * x[0];
+    }
+    x[m] = terms.speed[m] / h;
+    if (curve->slopes.empty()) return d * x[m];
+    square[m] = convolution(x, x, 0, m);
+    cube[m] = convolution(square, x, 0, m);
+    const double a = h * curve->slopes[k] - d, b = h * curve->slopes[k + 1] - d;
+    return (d + a) * x[m] - (2.0 * a + b) * square[m] + (a + b) * cube[m];
+}
+
+bool has_jet(const FrictionLaw& law) {
+    return std::visit(
+        [&]<typename Law>(const Law& each) {
+            if constexpr (requires { each.has_jet(); })
+                return each.has_jet();
+            else
+                return HasJet<Law> || is_state_wise(law);
+        },
+        law);
+}
+
+SpeedStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side) {
+    SpeedStretch stretch;
+    const auto pass = [&](const auto& corners) {
+        for (const double corner : corners) {
+            const bool is_above = side == CornerSide::above ? speed >= corner - rounding : speed > corner + rounding;
+            if (!is_above) {
+                stretch.to = corner;
+                return;
+            }
+            stretch.from = corner;
+        }
+    };
+    std::visit(
+        [&](const auto& each) {
+            if constexpr (requires { each.corners(way); }) pass(each.corners(way));
+        },
+        law);
+    return stretch;
+}
+
+double FrictionJet::next(std::span<const double> speed) {
+    STRIDOR_EXPECT(!speed.empty() && speed.size() <= most_jet_coefficients);
+    terms_.speed = speed;
+    const std::size_t m = terms_.last();
+    terms_.resistance[m] = std::visit(
+        [&]<typename Law>(const Law& law) {
+            if constexpr (HasJet<Law>)
+                return law.jet(way_, terms_);
+            else
+                return m == 0 ? law.resistance(way_, speed[0]) : 0.0;
+        },
+        *law_);
+    return terms_.resistance[m];
+}
+
+}  // namespace stridor::model
