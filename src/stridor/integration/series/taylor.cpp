@@ -190,8 +190,8 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
         block_.expand(state_.q, state_.v, surface_);
-        surface_ = block_.surface();
         const double length = block_.length();
+        if (length != step_) surface_ = block_.surface();
         const double boundary = next_boundary();
         if (std::exchange(entered, boundary) != boundary) press(0.0);
         const double reach =

@@ -160,7 +160,7 @@ bool TaylorBlock::choose(const ContactSet& set) {
         found = prepared_.emplace(set, prepare(set)).first;
     }
     rows_ = chosen_ = &found->second;
-    set_ = set;
+    set_ = &found->first;
     return !rows_->is_singular;
 }
 

@@ -42,7 +42,7 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 ///
 /// ratio_m follows from w_0..w_m (model/friction_jet), w_m from accelerations before m: so the sum is known when N_m is
 /// sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series then ends where
-/// that of the ratio does: the block is halved until its last terms are rounding.
+/// that of the ratio does: the block is shortened until its last terms are rounding.
 class TaylorBlock {
 public:
     /// `highest` [1]: no expansion goes beyond this order.
@@ -67,9 +67,9 @@ public:
     const BlockSeries& normal_force(std::size_t contact) const { return normal_[contact]; }
     const BlockSeries& friction_force(std::size_t contact) const { return friction_[contact]; }
 
-    /// Is the friction force of the closed contact a series of its own? Else it is a constant share of the normal force.
+    /// Is the friction force of the closed contact a series of its own, and no constant share of the normal force?
     bool expands_friction(std::size_t contact) const {
-        return set_[contact] == ContactMode::stick || !is_state_wise(structure_.contacts[contact].friction);
+        return (*set_)[contact] == ContactMode::stick || !is_state_wise(structure_.contacts[contact].friction);
     }
 
     /// Those of the gap [m] and of the slip velocity [m/s], by sums over the modes.
@@ -163,9 +163,9 @@ private:
     int order_ = 0;
     SurfaceSeries surface_{};
     std::map<std::vector<ContactMode>, Rows> prepared_{};
-    const Rows* chosen_ = nullptr;  // what is prepared of the set
-    ContactSet set_{};
-    Rows at_ratios_{};  // the same with the ratios of the block's beginning
+    const Rows* chosen_ = nullptr;     // what is prepared of the set
+    const ContactSet* set_ = nullptr;  // its key
+    Rows at_ratios_{};                 // the same with the ratios of the block's beginning
     const Rows* rows_ = nullptr;
     std::vector<Rubbing> rubbing_{};
     std::vector<Lanes> square_, damping_, load_;  // those of the structure

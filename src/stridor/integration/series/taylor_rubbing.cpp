@@ -46,7 +46,7 @@ void TaylorBlock::begin_rubbing() {
     for (const std::size_t r : chosen_->rubbed) {
         const std::size_t k = chosen_->normal[r];
         const ModalContact& contact = structure_.contacts[k];
-        const model::Slip way = way_of(set_[k]);
+        const model::Slip way = way_of((*set_)[k]);
         Rubbing slip{.row = r,
                      .contact = k,
                      .way = way,
@@ -64,8 +64,16 @@ void TaylorBlock::begin_rubbing() {
             number_in(&at_ratios_.push[slip.row * registers_], j) =
                 contact.normal[j] + slip.ratio[0] * contact.tangent[j];
     }
-    inverted(set_, at_ratios_);
     rows_ = &at_ratios_;
+    if (at_ratios_.count() > 1) {
+        inverted(*set_, at_ratios_);
+        return;
+    }
+    // one contact alone has one number
+    const auto normal = static_cast<Eigen::Index>(2 * rubbing_.front().contact);
+    const Eigen::MatrixXd& W = structure_.compliance;
+    number_in(at_ratios_.inverse.data(), 0) =
+        1.0 / (W(normal, normal) + rubbing_.front().ratio[0] * W(normal, normal + 1));
 }
 
 // what lower coefficients make of friction in this one
@@ -90,7 +98,7 @@ void TaylorBlock::rub(std::size_t m, Lanes* acceleration) {
     }
 }
 
-// the part of the block that the series reaches to rounding, a power of two
+// the part of the block that the series reaches to rounding, in quarters of a power of two
 double TaylorBlock::reached_share() const {
     const auto largest = [&](int m) {
         double most = 0.0;
@@ -100,8 +108,7 @@ double TaylorBlock::reached_share() const {
     };
     const std::array first{largest(0), largest(1), largest(2), largest(3)};
     const double end = largest(order_), behind = largest(order_ + 1);
-    double share = 1.0;
-    const auto is_reached = [&] {
+    const auto is_reached = [&](double share) {
         double whole = 0.0, power = 1.0;
         for (const double each : first) {
             whole = std::max(whole, each * power);
@@ -111,12 +118,16 @@ double TaylorBlock::reached_share() const {
             power *= share;
         return power * std::max(end, behind * share) <= series_rounding * whole;
     };
-    while (!is_reached() && share > least_share)
+    double share = 1.0;
+    while (!is_reached(share) && share > least_share)
         share *= 0.5;
+    if (share == 1.0) return share;
+    for (const double times : {1.75, 1.5, 1.25})
+        if (is_reached(times * share)) return times * share;
     return share;
 }
 
-// scales by powers of two, which do not round
+// scales all series to a shorter block
 void TaylorBlock::shorten(double share) {
     length_ *= share;
     scale_powers(surface_, share);
