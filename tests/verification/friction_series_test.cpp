@@ -54,6 +54,15 @@ std::vector<LawOnBelt> laws_on_belts() {
         {"Stribeck, third power", {1.0, 1.0, 0.0, 1.0, {}}, model::Stribeck{{0.9, 0.4, 0.3, 3.0, 0.0}}, 0.1, 60.0},
         {"rational, square", {1.0, 1.0, 0.01, 1.0, {}}, model::RationalStribeck{{0.8, 0.3, 0.2, 2.0, 0.05}}, 0.1, 60.0},
         {"measured, cubic", {1.0, 1.0, 0.0, 1.0, {}}, measured(parameters::Interpolation::cubic), 0.1, 60.0, rows},
+        {"measured from 0.03 m/s on",
+         {1.0, 1.0, 0.0, 1.0, {}},
+         model::Measured{0.9,
+                         std::make_shared<const model::MeasuredCurve>(model::measured_curve(
+                             {0.03, 0.1, 0.5}, {0.8, 0.6, 0.5}, parameters::Interpolation::linear)),
+                         {-3.0, 0.0}},
+         0.1,
+         60.0,
+         {0.03, 0.1, 0.5}},
         {"measured, linear", {1.0, 1.0, 0.0, 1.0, {}}, measured(parameters::Interpolation::linear), 0.1, 60.0, rows},
     };
 }

@@ -88,9 +88,10 @@ double RationalStribeck::jet(Slip, JetTerms& terms) const {
     return whole_fall(curve) * y[m] + curve.viscous * terms.speed[m];
 }
 
-// the rows but the first, and where the curve passes mu_s: above it no row counts
+// the rows beyond rest, and where the curve passes mu_s: above it no row counts
 std::vector<double> Measured::corners(Slip way) const {
     std::vector<double> corners;
+    if (curve->speeds.front() > 0.0) corners.push_back(curve->speeds.front());
     for (std::size_t k = 0; k + 1 < curve->speeds.size(); ++k) {
         double low = curve->speeds[k], high = curve->speeds[k + 1];
         const bool begins_below = curve->coefficients[k] < static_coefficient;
@@ -112,7 +113,8 @@ double Measured::jet(Slip way, JetTerms& terms) const {
     const std::size_t m = terms.last();
     if (m == 0) return resistance(way, terms.speed[0]);
     const double within = middle(terms.stretch);
-    if (within >= curve->speeds.back() || resistance(way, within) >= static_coefficient) return 0.0;
+    const bool is_level = within < curve->speeds.front() || within >= curve->speeds.back();
+    if (is_level || resistance(way, within) >= static_coefficient) return 0.0;
     const auto next = std::upper_bound(curve->speeds.begin(), curve->speeds.end(), within);
     const auto k = static_cast<std::size_t>(next - curve->speeds.begin()) - 1;
     const double h = curve->speeds[k + 1] - curve->speeds[k], d = curve->coefficients[k + 1] - curve->coefficients[k];
