@@ -3,6 +3,7 @@
 #include "stridor/model/case_structure.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/start.hpp"
 #include "support/massless_feet.hpp"
 #include "support/random_structures.hpp"
 
@@ -30,6 +31,13 @@ inline parameters::Case as_own_structure(parameters::Case c) {
     own.contacts.front().normal = values(contact.normal);
     own.contacts.front().tangent = values(contact.tangent);
     own.contacts.front().preload_share = 1.0;
+    if (c.run.initial == parameters::Initial::given) {
+        const parameters::JointStart& start = c.joints.front().start;
+        const bool sticks = start.contact == parameters::ContactStart::stick;
+        own.initial_displacement = {start.tangential, start.normal, c.plate.initial_normal};
+        own.initial_velocity = {sticks ? parameters::velocity_at_start(c.drive) : start.tangential_velocity,
+                                start.normal_velocity, c.plate.initial_normal_velocity};
+    }
     c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
     return c;
 }

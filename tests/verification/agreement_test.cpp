@@ -52,7 +52,7 @@ Case random_joints(std::uint64_t number) {
     c.joint() = joint();
     c.contact() = contact();
     for (std::size_t k = random.below(2); k < 2; ++k)
-        c.joints.push_back({joint(), contact(), fmt::format("lip{}", k + 1)});
+        c.joints.push_back({.joint = joint(), .contact = contact(), .name = fmt::format("lip{}", k + 1)});
     c.drive.kind = parameters::DriveKind::constant;
     const double way = random.one_in(2) ? 1.0 : -1.0;
     c.drive.velocity = way * random.decades(0.02, 0.3);

@@ -1,5 +1,7 @@
 #include "stridor/integration/simulate.hpp"
 
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/exact/flow.hpp"
@@ -23,6 +25,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace stridor::integration {
@@ -31,6 +34,8 @@ namespace {
 
 using parameters::Engine;
 
+constexpr double same_time = 1e-9;  // [1] of a time: rounding of a sum of times
+
 // what the contacts carry at rest belongs to what is known of them
 void tell_preloads(const model::Structure& structure, std::vector<record::Tally>& phases) {
     for (record::Tally& phase : phases)
@@ -38,11 +43,21 @@ void tell_preloads(const model::Structure& structure, std::vector<record::Tally>
             phase.contacts[k].preload = structure.contacts[k].preload;
 }
 
+// what is wanted of a run
+struct Watch {
+    record::Schedule schedule;
+    const record::Request& request;
+    Handover* handover = nullptr;
+};
+
 // the paper's joint alone
-Motion run_joint(const parameters::Case& c, const model::Structure& structure, const record::Request& request,
-                 std::stop_token stop, Workspace& workspace) {
-    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure), 1);
-    const Start start{c.run.initial, c.run.perturbation};
+Motion run_joint(const parameters::Case& c, const model::Structure& structure, const Watch& watch, std::stop_token stop,
+                 Workspace& workspace) {
+    record::Recorder recorder(watch.schedule, watch.request, model::dofs_of(structure), 1);
+    Start start{c.run.initial, c.run.perturbation};
+    if (c.run.initial == parameters::Initial::given)
+        start.given = initial_state(c, structure, ImposedMotion(c.drive, 1.0).at(0.0).velocity);
+    start.handover = watch.handover;
     if (c.run.engine == Engine::beta_2) {
         const StepRun run = [&](double step, record::Recorder taker) {
             return integrate_beta_2(structure, c.drive, start, {step, c.run.beta_2}, std::move(taker), stop);
@@ -55,13 +70,14 @@ Motion run_joint(const parameters::Case& c, const model::Structure& structure, c
 }
 
 // by the engines that take structures of any size with any number of contacts
-Motion run_any_size(const parameters::Case& c, const model::Structure& structure, const record::Request& request,
+Motion run_any_size(const parameters::Case& c, const model::Structure& structure, const Watch& watch,
                     const std::stop_token& stop) {
-    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
+    record::Recorder recorder(watch.schedule, watch.request, model::dofs_of(structure),
                               static_cast<int>(structure.contacts.size()), model::channels_of(structure),
                               model::interfaces_of(structure));
     const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
-    const InitialState start = initial_state(c, structure, velocity);
+    InitialState start = initial_state(c, structure, velocity);
+    start.handover = watch.handover;
     if (c.run.engine == Engine::moreau)
         return integrate_twice(structure, c.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
                                std::move(recorder), stop);
@@ -90,12 +106,19 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
     return simulate(c, request, std::move(stop), workspace);
 }
 
-Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
-    const model::Structure structure = model::structure_of(c);
+namespace {
+
+// by the engine that the case names
+Motion run_by_engine(const parameters::Case& c, const model::Structure& structure, const Watch& watch,
+                     std::stop_token stop, Workspace& workspace) {
     const bool has_any_size =
         parameters::has_named_contacts(c) || c.run.engine == Engine::moreau || parameters::is_solved_by_series(c);
-    Motion motion = has_any_size ? run_any_size(c, structure, request, stop)
-                                 : run_joint(c, structure, request, std::move(stop), workspace);
+    return has_any_size ? run_any_size(c, structure, watch, stop)
+                        : run_joint(c, structure, watch, std::move(stop), workspace);
+}
+
+// adds to a motion what follows from its structure
+Motion told(const parameters::Case& c, const model::Structure& structure, Motion motion) {
     tell_preloads(structure, motion.record.phases);
     if (motion.massless) tell_preloads(structure, motion.massless->phases);
     if (!has_result(motion.outcome) || !parameters::is_steady(c.drive)) return motion;
@@ -105,6 +128,63 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
     tell_growth(structure, run, motion.record.phases);
     if (motion.massless) tell_growth(structure, run, motion.massless->phases);
     return motion;
+}
+
+// an end state fits the case, and lies before its window
+void expect_goes_on(const parameters::Case& c, const model::Structure& structure, const EndState& from) {
+    const auto dofs = static_cast<std::size_t>(model::dofs_of(structure));
+    if (from.displacement.size() != dofs || from.contacts.size() != structure.contacts.size())
+        base::refuse("the end state is none of this case",
+                     "it has " + std::to_string(from.displacement.size()) + " degrees of freedom and " +
+                         std::to_string(from.contacts.size()) + " contacts, the case " + std::to_string(dofs) +
+                         " and " + std::to_string(structure.contacts.size()),
+                     "Make it anew with --end-state.");
+    const std::string time = base::shortest(from.time);
+    if (!(c.run.duration > from.time))
+        base::refuse("run.duration = " + base::shortest(c.run.duration) + " s is not beyond the end state",
+                     "that is at " + time + " s, and the duration counts from the run's begin", "Make it longer.");
+    if (c.run.duration - c.run.window < from.time * (1.0 - same_time))
+        base::refuse("the window begins before the end state", "nothing is known of the time before " + time + " s",
+                     "Give run.window at most " + base::shortest(c.run.duration - from.time) + " s.");
+}
+
+}  // namespace
+
+Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
+    if (c.drive.phase != 0.0 && c.run.initial != parameters::Initial::given) {
+        // the phase belongs to a given start, and means nothing for another
+        parameters::Case from_its_begin = c;
+        from_its_begin.drive.phase = 0.0;
+        return simulate(from_its_begin, request, std::move(stop), workspace);
+    }
+    const model::Structure structure = model::structure_of(c);
+    return told(c, structure, run_by_engine(c, structure, {record::schedule(c), request}, std::move(stop), workspace));
+}
+
+Motion go_on(const parameters::Case& c, const EndState& from, const record::Request& request, std::stop_token stop) {
+    const model::Structure structure = model::structure_of(c);
+    expect_goes_on(c, structure, from);
+    record::Request later = request;
+    later.trace.from = std::max(later.trace.from, from.time);
+    Handover handover{&from};
+    Workspace workspace;
+    return told(c, structure,
+                run_by_engine(c, structure, {record::schedule(c), later, &handover}, std::move(stop), workspace));
+}
+
+Ended run_to_end(const parameters::Case& c, const EndState* from, std::stop_token stop) {
+    // nothing is judged, so that a run which goes on has the same spans up to here
+    parameters::Case unseen = c;
+    unseen.run.window = 0.0;
+    const model::Structure structure = model::structure_of(c);
+    if (from != nullptr) expect_goes_on(unseen, structure, *from);
+    Handover handover{from};
+    Workspace workspace;
+    const record::Request nothing;
+    const Motion motion =
+        run_by_engine(c, structure, {record::schedule(unseen), nothing, &handover}, std::move(stop), workspace);
+    handover.to.time = c.run.duration;
+    return {motion.outcome, std::move(handover.to)};
 }
 
 }  // namespace stridor::integration

@@ -31,6 +31,9 @@ struct Plate {
     double mass = 0.4;       // [kg] m2
     double stiffness = 1e6;  // [N/m] k2y
     double damping = 1.0;    // [N*s/m] c2y
+    // initial = given
+    double initial_normal = 0.0;           // [m] y2 at the start, from the preloaded rest
+    double initial_normal_velocity = 0.0;  // [m/s]
 };
 
 /// One property by table over the temperature.
@@ -117,6 +120,24 @@ enum class Initial {
     rest,     // the preloaded rest position, mass 1 not moving; the plate moves under it
     stuck,    // the preloaded rest position, mass 1 moving with the plate
     sliding,  // the steady-sliding equilibrium, with mass 1 pushed by `perturbation`
+    given,    // where the user says
+};
+
+/// What a contact does at a start that is given.
+enum class ContactStart {
+    by_motion,   // what follows from gap and velocities
+    stick,       // it moves with its surface
+    slip,        // it is closed, and slips
+    separation,  // it is open, or opens
+};
+
+/// Where a joint is at a start that is given, from the preloaded rest.
+struct JointStart {
+    double tangential = 0.0;           // [m] x1
+    double normal = 0.0;               // [m] y1
+    double tangential_velocity = 0.0;  // [m/s] means nothing to a contact that sticks
+    double normal_velocity = 0.0;      // [m/s]
+    ContactStart contact = ContactStart::by_motion;
 };
 
 /// What computes a motion.
@@ -179,6 +200,7 @@ struct Thresholds {
 struct PlateJoint {
     Joint joint{};
     Contact contact{};
+    JointStart start{};                   // initial = given
     std::string name{};                   // "lip2", by which keys call it: "joint.lip2.mass"; an only one may have none
     std::optional<double> axial_ratio{};  // [1] of joint.axial_damping: with m1 and k1i
     std::optional<double> flexural_ratio{};  // [1] of joint.flexural_damping: with m1 and k1j

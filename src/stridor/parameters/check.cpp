@@ -8,6 +8,7 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/resolution.hpp"
+#include "stridor/parameters/start.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -130,7 +131,8 @@ void find_unsolvable(CaseView at, std::vector<Finding>& found) {
 
 void check_own_structure(const Case& c, std::vector<Finding>& found) {
     check_own_friction(c, found);
-    if (const std::optional<std::size_t> row = massless_row(*c.own_structure); row && c.run.initial != Initial::rest)
+    if (const std::optional<std::size_t> row = massless_row(*c.own_structure);
+        row && c.run.initial != Initial::rest && c.run.initial != Initial::given)
         found.push_back({"run.initial",
                          {"row " + c.own_structure->row[*row] + " has no mass, and no velocity at the start", "",
                           "Start with \"rest\"."}});
@@ -266,7 +268,9 @@ bool starts_still(const VelocityProfile& profile) {
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {
-    if (c.run.initial == Initial::sliding && starts_still(velocity_profile(c.drive)))
+    Drive from_its_begin = c.drive;
+    from_its_begin.phase = 0.0;  // it belongs to a given start
+    if (c.run.initial == Initial::sliding && starts_still(velocity_profile(from_its_begin)))
         found.push_back({"run.initial",
                          {"run.initial = \"sliding\" has no direction", "the drive stands still at the start",
                           "Start with \"rest\"."}});
@@ -326,6 +330,7 @@ std::vector<Finding> findings_at(CaseView at) {
     check_friction_table(at, found);
     check_drive(c, found);
     check_run(c, found);
+    check_start(at, found);
     check_verdict(c, found);
     find_unresolvable(at, found);
     return found;

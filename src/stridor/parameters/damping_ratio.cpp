@@ -44,9 +44,11 @@ std::optional<double>* damping_ratio_of(CaseToSet at, std::string_view key) {
 }
 
 void keep_damping_ratios(Case& c) {
-    for (auto& [joint, contact, name, axial, flexural] : c.joints) {
-        if (axial) joint.axial_damping = damping(*axial, joint.axial_stiffness, joint.mass);
-        if (flexural) joint.flexural_damping = damping(*flexural, joint.flexural_stiffness, joint.mass);
+    for (PlateJoint& each : c.joints) {
+        Joint& joint = each.joint;
+        if (each.axial_ratio) joint.axial_damping = damping(*each.axial_ratio, joint.axial_stiffness, joint.mass);
+        if (each.flexural_ratio)
+            joint.flexural_damping = damping(*each.flexural_ratio, joint.flexural_stiffness, joint.mass);
     }
     if (c.plate_damping_ratio) c.plate.damping = damping(*c.plate_damping_ratio, c.plate.stiffness, c.plate.mass);
 }

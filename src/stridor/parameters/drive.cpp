@@ -16,12 +16,13 @@ VelocityProfile sinusoidal(const Drive& drive) {
     profile.velocity = drive.amplitude * base::two_pi * drive.frequency;
     profile.frequency = drive.frequency;
     profile.amplitude = drive.amplitude;
+    profile.turns = turns_at_start(drive);
     return profile;
 }
 
 // There and back as rigs move: from rest to V in `ramp`, V, and to rest in `ramp`, within half a period; then -V. The
 // corners of a slope through zero would be none: standing still is written at both ends alone.
-VelocityProfile trapezoidal(const Drive& drive, double until) {
+VelocityProfile trapezoidal_from_rest(const Drive& drive, double until) {
     const double half_period = 0.5 / drive.frequency;
     const auto halves = static_cast<long>(std::floor(until / half_period)) + 1;
     VelocityProfile profile;
@@ -40,7 +41,37 @@ VelocityProfile trapezoidal(const Drive& drive, double until) {
     return profile;
 }
 
+// what is left of corners from a time on, which is 0 then
+VelocityProfile begun_at(const VelocityProfile& whole, double begin) {
+    VelocityProfile rest;
+    for (std::size_t k = 0; k < whole.times.size(); ++k) {
+        if (whole.times[k] <= begin) continue;
+        if (rest.times.empty()) {
+            const double from = whole.times[k - 1];
+            const double share = (begin - from) / (whole.times[k] - from);
+            rest.times.push_back(0.0);
+            rest.velocities.push_back(whole.velocities[k - 1] +
+                                      share * (whole.velocities[k] - whole.velocities[k - 1]));
+        }
+        rest.times.push_back(whole.times[k] - begin);
+        rest.velocities.push_back(whole.velocities[k]);
+    }
+    return rest;
+}
+
+VelocityProfile trapezoidal(const Drive& drive, double until) {
+    const double begin = turns_at_start(drive) / drive.frequency;
+    if (begin == 0.0) return trapezoidal_from_rest(drive, until);
+    return begun_at(trapezoidal_from_rest(drive, until + begin), begin);
+}
+
 }  // namespace
+
+double turns_at_start(const Drive& drive) {
+    const bool repeats = repetition_rate(drive) > 0.0 || is_by_force(drive);
+    const double turns = repeats ? drive.phase / 360.0 : 0.0;
+    return turns - std::floor(turns);
+}
 
 std::string_view kind_name(const Drive& drive) {
     return drive_names[static_cast<std::size_t>(drive.kind)];

@@ -28,6 +28,7 @@ struct Drive {
     double velocity = 0.1;           // [m/s] constant: V; trapezoidal: V on the way there, -V on the way back
     double ramp = 0.02;              // [s] trapezoidal: from standing still to full velocity, or back; force: to full
     double force = 1.0;              // [N] force: F of F cos(2 pi f t) while the surface stands still
+    double phase = 0.0;              // [deg] sinusoidal, trapezoidal, force: 360 f t of the drive when the run begins
     std::string file;                // sampled: a CSV with the columns time and velocity
     std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
     std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
@@ -36,15 +37,19 @@ struct Drive {
 /// V(t) as engines, schedules and checks see it. It is one of three, whatever the kind of drive:
 ///
 ///     steady     V = velocity, for ever           no frequency, no corners
-///     harmonic   V = velocity cos(2 pi f t)       f = frequency
+///     harmonic   V = velocity cos(2 pi (f t + turns))   f = frequency
 ///     cornered   V linear from corner to corner   `times` and `velocities`
 struct VelocityProfile {
     double velocity = 0.0;           // [m/s] steady: V; harmonic: its peak
     double frequency = 0.0;          // [Hz] harmonic: f, else 0
     double amplitude = 0.0;          // [m] harmonic: of x2
+    double turns = 0.0;              // [1] harmonic: of a period that have gone by at t = 0
     std::vector<double> times;       // [s] cornered: where the slope of V changes, rising from 0, shape [corner]
     std::vector<double> velocities;  // [m/s] V there, shape [corner]
 };
+
+/// Returns how much of a period has gone by when the run begins [1]; 0 of a drive without a period.
+double turns_at_start(const Drive& drive);
 
 /// Its kind, as a case names it.
 std::string_view kind_name(const Drive& drive);

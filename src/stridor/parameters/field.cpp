@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 6> friction_names{"coulomb",  "directiona
                                                          "stribeck", "stribeck-rational", "table"};
 constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
-constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
+constexpr std::array<std::string_view, 4> initial_names{"rest", "stuck", "sliding", "given"};
+constexpr std::array<std::string_view, 4> contact_start_names{"by-motion", "stick", "slip", "separation"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
 constexpr std::array<std::string_view, 3> formulation_names{"standard", "massless", "both"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
@@ -99,6 +100,14 @@ const std::array table{
           quantity<&PlateJoint::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
           quantity<&PlateJoint::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), has_joints},
+    Field{"joint", "initial_tangential", "x1_0", "displacement along the plate at the start, from the preloaded rest",
+          quantity<&PlateJoint::start, &JointStart::tangential>("m", any), has_given_joint},
+    Field{"joint", "initial_normal", "y1_0", "displacement across the plate at the start; above y2_0 the gap is open",
+          quantity<&PlateJoint::start, &JointStart::normal>("m", any), has_given_joint},
+    Field{"joint", "initial_tangential_velocity", "vx1_0", "velocity along the plate at the start",
+          quantity<&PlateJoint::start, &JointStart::tangential_velocity>("m/s", any), has_given_slip},
+    Field{"joint", "initial_normal_velocity", "vy1_0", "velocity across the plate at the start",
+          quantity<&PlateJoint::start, &JointStart::normal_velocity>("m/s", any), has_given_joint},
 
     Field{"plate", "mass", "m2", "moving mass of the plate",
           quantity<&Case::plate, &Plate::mass>("kg", positive, octaves(0.04, 4.0)), has_joints},
@@ -106,6 +115,10 @@ const std::array table{
           quantity<&Case::plate, &Plate::stiffness>("N/m", positive, octaves(1e5, 1e7)), has_joints},
     Field{"plate", "damping", "c2y", "bending damping of the plate",
           quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative, usual_damping), has_joints},
+    Field{"plate", "initial_normal", "y2_0", "displacement of the plate at the start, from the preloaded rest",
+          quantity<&Case::plate, &Plate::initial_normal>("m", any), has_given_joint},
+    Field{"plate", "initial_normal_velocity", "vy2_0", "velocity of the plate at the start",
+          quantity<&Case::plate, &Plate::initial_normal_velocity>("m/s", any), has_given_joint},
 
     Field{"structure", "stiffness_scale", "", "factor of the stiffness of the user's own structure",
           quantity<&Case::structure_scales, &StructureScales::stiffness>("1", positive, octaves(0.1, 10.0)),
@@ -173,6 +186,11 @@ const std::array table{
           choice<&PlateJoint::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
           quantity<&PlateJoint::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
+    Field{"contact", "initial_state", "",
+          "what the contact does at the start: what follows from gap and velocities, or as said",
+          choice<&PlateJoint::start, &JointStart::contact, ContactStart>(contact_start_names,
+                                                                         Choice::Canonical::unless_first),
+          has_given_joint},
 
     Field{"temperature", "value", "theta", "temperature of the parts, at which the table below is read",
           quantity<&Case::temperature, &Temperature::value>("degC", temperatures), follows_temperature},
@@ -189,6 +207,8 @@ const std::array table{
           quantity<&Case::drive, &Drive::force>("N", positive, octaves(0.1, 10.0)), is_driven_by_force},
     Field{"drive", "ramp", "", "time to full velocity, at most a quarter of the period, or to full force",
           quantity<&Case::drive, &Drive::ramp>("s", positive, octaves(2e-3, 0.05)), has_ramp},
+    Field{"drive", "phase", "", "how far the drive is in its period when the run begins",
+          quantity<&Case::drive, &Drive::phase>("deg", Range{-360.0, 360.0}), has_given_phase},
     Field{"drive", "file", "", "CSV file with the columns time and velocity", drive_file, is_sampled},
 
     Field{"run", "duration", "", "simulated time", quantity<&Case::run, &Run::duration>("s", positive), always},
@@ -277,6 +297,10 @@ bool has_key(const Field& field, std::string_view key) {
 
 bool is_of_builder(const Field& field) {
     return field.section == "structure" && !field.name.ends_with("_scale");
+}
+
+bool is_of_start(const Field& field) {
+    return field.name.starts_with("initial_") || (field.section == "drive" && field.name == "phase");
 }
 
 const Field* find_field(std::string_view key) {

@@ -85,6 +85,9 @@ std::span<const Field> fields();
 /// Is it a number from which a builder makes a structure? A case file has it among the lines of [structure].
 bool is_of_builder(const Field& field);
 
+/// Is it a part of a given start, which is 0 where it is not said?
+bool is_of_start(const Field& field);
+
 /// The field with key "section.name" (or "title"); nothing if there is none.
 const Field* find_field(std::string_view key);
 

@@ -97,6 +97,18 @@ inline bool has_formulation(CaseView at) {
 inline bool is_massless(CaseView at) {
     return has_formulation(at) && at.c.run.formulation != Formulation::standard;
 }
+inline bool starts_where_given(CaseView at) {
+    return at.c.run.initial == Initial::given;
+}
+inline bool has_given_joint(CaseView at) {
+    return starts_where_given(at) && has_joints(at);
+}
+inline bool has_given_slip(CaseView at) {
+    return has_given_joint(at) && at.own().start.contact != ContactStart::stick;
+}
+inline bool has_given_phase(CaseView at) {
+    return starts_where_given(at) && has_frequency(at);
+}
 inline bool starts_sliding(CaseView at) {
     return at.c.run.initial == Initial::sliding;
 }

@@ -52,6 +52,10 @@ const double* recipe_number(const Case& c, std::string_view key) {
     return found == numbers.end() ? nullptr : &found->second;
 }
 
+bool has_given_velocity(const OwnStructure& own) {
+    return own.recipe && own.initial_velocity != own.recipe->build(*own.recipe).initial_velocity;
+}
+
 void rebuild(Case& c, std::string_view key, double value) {
     if (recipe_number(c, key) == nullptr) return;
     Recipe recipe = *c.own_structure->recipe;
@@ -60,6 +64,7 @@ void rebuild(Case& c, std::string_view key, double value) {
     // what a case file adds to what is built
     anew.force = c.own_structure->force;
     anew.initial_displacement = c.own_structure->initial_displacement;
+    if (has_given_velocity(*c.own_structure)) anew.initial_velocity = c.own_structure->initial_velocity;
     anew.outputs = c.own_structure->outputs;
     c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
 }

@@ -80,7 +80,8 @@ struct OwnStructure {
     std::vector<double> load{};                  // [N] constant, beside the preload; shape [row] or empty
     std::vector<double> force{};                 // [1] of a drive by force, per its newtons; shape [row] or empty
     std::vector<double> initial_displacement{};  // [m] added to the start; shape [row] or empty
-    std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
+    // [1] added to the start, per imposed velocity; [m/s] where run.initial is given; shape [row] or empty
+    std::vector<double> initial_velocity{};
     double left_out_above = 0.0;  // [Hz] modes above it were left out, and their flexibility kept; 0: none were
     std::vector<OwnContact> contacts{};
     std::vector<OwnOutput> outputs{};
@@ -97,6 +98,9 @@ bool is_without_inertia(const Case& c);
 /// Returns the number for `key` in the recipe of a case's structure; null if no builder made it, or not from this
 /// number.
 const double* recipe_number(const Case& c, std::string_view key);
+
+/// Does a structure that a builder made start with other velocities than the builder's?
+bool has_given_velocity(const OwnStructure& own);
 
 /// Builds the structure of a case again with another number for `key` in its recipe. Does nothing if the recipe lacks
 /// the key.

@@ -16,24 +16,25 @@ struct HalfPeriod {
     Phase phase = Phase::going;
 };
 
-// x2 = A sin(2 pi f t): V > 0 for f t in (k - 1/4, k + 1/4)
-std::vector<HalfPeriod> harmonic_phases(double frequency, double duration) {
+// x2 = A sin(2 pi f t): V > 0 for f t in (k - 1/4, k + 1/4); `begun` [s] of a period have gone by at t = 0
+std::vector<HalfPeriod> harmonic_phases(double frequency, double begun, double duration) {
     std::vector<HalfPeriod> halves;
     const double half_period = 0.5 / frequency;
-    const auto count = static_cast<long>(std::ceil(duration / half_period)) + 2;
+    const auto count = static_cast<long>(std::ceil((duration + begun) / half_period)) + 2;
     halves.reserve(static_cast<std::size_t>(count));
     for (long k = 0; k < count; ++k) {
         const auto number = static_cast<double>(k);
-        halves.push_back(
-            {(number - 0.5) * half_period, (number + 0.5) * half_period, k % 2 == 0 ? Phase::going : Phase::coming});
+        halves.push_back({(number - 0.5) * half_period - begun, (number + 0.5) * half_period - begun,
+                          k % 2 == 0 ? Phase::going : Phase::coming});
     }
     return halves;
 }
 
-// V linear between corners; a phase ends where V changes sign, standing still belongs to the phase before it
-std::vector<HalfPeriod> cornered_phases(const std::vector<double>& t, const std::vector<double>& v) {
+// V linear between corners; a phase ends where V changes sign, standing still belongs to the phase before it. The first
+// one began `begun` [s] before t = 0.
+std::vector<HalfPeriod> cornered_phases(const std::vector<double>& t, const std::vector<double>& v, double begun) {
     std::vector<HalfPeriod> halves;
-    double from = 0.0;
+    double from = 0.0 - begun;
     double sign = 0.0;
     for (std::size_t k = 0; k < t.size(); ++k) {
         const bool turns = v[k] != 0.0 && sign != 0.0 && (v[k] > 0.0) != (sign > 0.0);
@@ -96,8 +97,12 @@ Schedule schedule(const Case& c) {
         return plan;
     }
     const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive, c.run.duration);
-    const std::vector<HalfPeriod> halves = profile.frequency > 0.0 ? harmonic_phases(profile.frequency, c.run.duration)
-                                                                   : cornered_phases(profile.times, profile.velocities);
+    const double turns = parameters::turns_at_start(c.drive);
+    const double begun = turns > 0.0 ? turns / c.drive.frequency : 0.0;
+    const double half_begun = turns > 0.0 ? std::fmod(begun, 0.5 / c.drive.frequency) : 0.0;
+    const std::vector<HalfPeriod> halves = profile.frequency > 0.0
+                                               ? harmonic_phases(profile.frequency, begun, c.run.duration)
+                                               : cornered_phases(profile.times, profile.velocities, half_begun);
     plan.spans.reserve(4 * halves.size());  // growing would take twice the memory
     for (const HalfPeriod& half : halves)
         add_phase(plan.spans, c, half);

@@ -131,10 +131,10 @@ std::string joints_text(const parameters::Case& c) {
     if (c.own_structure) return structure_text(c);
     std::string text;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
-        const auto& [joint, contact, name, axial, flexural] = c.joints[k];
-        text += parameters::has_several_joints(c) ? "  " + name + ": " : "";
+        const parameters::Contact& contact = c.joints[k].contact;
+        text += parameters::has_several_joints(c) ? "  " + c.joints[k].name + ": " : "";
         text += fmt::format("preload {:g} N, {}, incidence angle {:g} deg\n", contact.preload,
-                            coefficients_text(contact), joint.incidence_angle);
+                            coefficients_text(contact), c.joints[k].joint.incidence_angle);
     }
     return !parameters::has_several_joints(c) ? ", " + text : fmt::format(", {} joints\n", c.joints.size()) + text;
 }

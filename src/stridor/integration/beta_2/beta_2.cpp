@@ -18,6 +18,7 @@
 #include "stridor/integration/proofs/sticking.hpp"
 #include "stridor/integration/rules/expect_solvable.hpp"
 #include "stridor/integration/rules/fastest_slip.hpp"
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/energy_held.hpp"
 #include "stridor/integration/run/step_loop.hpp"
 #include "stridor/model/contact_forces.hpp"
@@ -252,10 +253,14 @@ public:
         state_.p = initial.velocity - coefficients_.half_velocity * first.acceleration;
         state_.last_increment = surface.velocity * settings.step;
         initial_energy_ = half_step_energy(structure_, state_, settings.step);
+        restore(start.handover, [this](Memory& memory) { pass(memory); });
+        if (start.handover != nullptr && start.handover->from != nullptr) recorder_.enter(0, told_);
     }
 
     Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
+    void pass(Memory& pass);
+    void hand_over(Handover& handover);
 
     // for `run_spans`
     long steps() const { return n_; }
@@ -285,19 +290,40 @@ private:
     record::Load load_;                         // of this span
     double initial_energy_ = 0.0;               // [J]
     // largest that displacements and velocities have been at changes of state and ends of blocks
-    Vector far_;   // [m]
-    Vector fast_;  // [m/s]
-    long n_ = 0;   // number of the next step
+    Vector far_;                    // [m]
+    Vector fast_;                   // [m/s]
+    long n_ = 0;                    // number of the next step
+    record::ContactInterval told_;  // the present state, as the recorder knows it
 };
+
+template <int dofs>
+void Stepping<dofs>::pass(Memory& pass) {
+    pass(state_.u), pass(state_.p), pass(state_.last_increment), pass(state_.normal_force);
+    pass.below(state_.contact, model::contact_states);
+    pass(state_.has_contact), pass(state_.contact_since);
+    pass(work_.preload), pass(work_.drive), pass(work_.dashpot), pass(work_.friction), pass(work_.impact);
+    pass(initial_energy_), pass(far_), pass(fast_), pass(n_), pass(told_);
+}
+
+// the state at the next step's begin, as a step from a copy sees it
+template <int dofs>
+void Stepping<dofs>::hand_over(Handover& handover) {
+    State<dofs> copy = state_;
+    const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
+    handover.to.displacement = list_of(state_.u);
+    handover.to.velocity = list_of(now.velocity);
+    handover.to.contacts = {now.contact};
+    keep(&handover, [this](Memory& memory) { pass(memory); });
+}
 
 template <int dofs>
 void Stepping<dofs>::note(const Step<dofs>& now, double increment) {
     const double h = coefficients_.h;
     const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
     press();
-    recorder_.enter(
-        0, {now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
-            coefficients_.normal.dot(now.velocity)});
+    told_ = {now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
+             coefficients_.normal.dot(now.velocity)};
+    recorder_.enter(0, told_);
     state_.contact = now.contact;
     state_.has_contact = true;
     state_.contact_since = n_;
@@ -461,6 +487,7 @@ Motion integrate_beta_2(const model::Structure& structure, const parameters::Dri
     return model::with_size(model::dofs_of(structure), [&](auto size) -> Motion {
         Stepping<size()> runner(structure, contact, drive, start, settings, recorder);
         const Outcome outcome = runner.run(stop);
+        if (start.handover != nullptr && has_result(outcome)) runner.hand_over(*start.handover);
         const EnergyBalance balance = runner.energy();
         const double most = settings.beta_2 > 0.5 ? any_share : most_rounding_share;
         return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, {runner.outlook(outcome)})};

@@ -57,6 +57,30 @@ ExactRun<dofs>::ExactRun(const model::Structure& structure, const model::Contact
                      parameters::is_steady(drive) && drive_.profile().velocity != 0.0;
     sliding_mode_ = drive_.profile().velocity > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
     begin(start);
+    handover_ = start.handover;
+    if (handover_ != nullptr) may_end_early_ = false;
+    restore(handover_, [this](Memory& memory) { pass(memory); });
+}
+
+// the state at the beginning of a step: how far the run goes beyond is nothing that it depends on
+template <int dofs>
+void ExactRun<dofs>::pass(Memory& pass) {
+    pass.below(mode_, contact_modes);
+    pass(s_), pass(origin_), pass(count_);
+    pass.below(multiplicity_, most_multiplicity + 1);
+    pass(initial_energy_), pass(initial_displacement_), pass(closed_reach_), pass(open_reach_);
+    pile_up_.pass(pass);
+    book_.pass(pass);
+}
+
+template <int dofs>
+void ExactRun<dofs>::hand_over() {
+    if (handover_ == nullptr) return;
+    const Position last = position(s_, mode_);
+    handover_->to.displacement = list_of(last.displacement);
+    handover_->to.velocity = list_of(last.velocity);
+    handover_->to.contacts = {contact_of(mode_)};
+    handover_->to.memory.push_back(std::move(last_step_));
 }
 
 template <int dofs>
@@ -72,8 +96,19 @@ void ExactRun<dofs>::begin(const Start& start) {
     s_.at[F] = coordinates_.load_scale;
     s_.at[V] = surface(0.0).velocity;
     s_.at[V + 1] = surface(0.0).partner;
-    if (start.kind == parameters::Initial::stuck) s_.at[x_speed] = s_.at[V];
-    enter(close_contact(flows_, s_, s_.at[x_speed] - s_.at[V]));
+    const bool is_said_to_stick =
+        !initial.contacts.empty() && initial.contacts.front() == parameters::ContactStart::stick;
+    if (start.kind == parameters::Initial::stuck || is_said_to_stick) s_.at[x_speed] = s_.at[V];
+    if (begins_open(initial, 0)) {
+        Transition apart{ContactMode::open, 0, s_};
+        apart.slip_velocity = structure_.tangent.dot(Vector(initial.velocity)) - s_.at[V];
+        apart.state.at[G] = std::max(0.0, z(closed));
+        apart.state.at[G + 1] = speed(closed);
+        if (!(z(closed) > 0.0)) apart.multiplicity = 1;  // the gap is zero, and opens
+        enter(apart);
+    } else {
+        enter(close_contact(flows_, s_, s_.at[x_speed] - s_.at[V]));
+    }
     const Position first = position(s_, mode_);
     initial_energy_ = stored(first);
     initial_displacement_ = first.displacement;
@@ -174,6 +209,11 @@ void ExactRun<dofs>::glide() {
 // one step with whatever happens in it
 template <int dofs>
 void ExactRun<dofs>::step() {
+    if (handover_ != nullptr && book_.end() <= time() + flow().step) {
+        last_step_.clear();
+        Memory memory(last_step_, Memory::Way::keep);
+        pass(memory);
+    }
     Crossing crossing = first_event();
     if (crossing.tau < 0.0) {
         lost_ = crossing.tau == no_number ? Reason::diverged : Reason::chattering;
@@ -255,6 +295,7 @@ Outcome ExactRun<dofs>::advance() {
 template <int dofs>
 Motion ExactRun<dofs>::run() {
     const Outcome outcome = advance();
+    hand_over();
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? balance_ : energy();
     return {weighed(outcome, balance, most_unexplained), balance,

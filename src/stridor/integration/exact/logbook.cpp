@@ -50,13 +50,42 @@ void Logbook::enter(const Transition& next, double now) {
 }
 
 void Logbook::tell() {
-    if (!has_told_ || pending_.state != told_) {
+    if (!has_told_ || pending_.state != told_.state) {
         recorder_.enter(0, pending_);
         recent_.add(pending_);
+        told_ = pending_;
     }
     has_told_ = true;
-    told_ = pending_.state;
     has_pending_ = false;
+}
+
+namespace {
+
+void pass_sums(Memory& pass, Sums& sums) {
+    for (Lanes& product : sums.product)
+        pass(product);
+    pass(sums.on_slip), pass(sums.on_surface);
+    for (Lanes& peak : sums.peak)
+        pass(peak);
+}
+
+void pass_totals(Memory& pass, Totals& totals) {
+    for (int i = 0; i < most_coordinates; ++i)
+        pass(totals.square_time[i]), pass(totals.peak_square[i]);
+    pass(totals.dashpot_loss), pass(totals.friction_loss), pass(totals.drive_work), pass(totals.largest_force);
+}
+
+}  // namespace
+
+void Logbook::pass(Memory& pass) {
+    for (int mode = 0; mode < contact_modes; ++mode)
+        pass_sums(pass, account_.full[mode]), pass_sums(pass, account_.part[mode]);
+    pass(account_.largest_force);
+    pass_totals(pass, banked_);
+    pass(losses_), pass(pending_), pass(has_pending_), pass(has_told_), pass(told_);
+    pass.below(knot_, knots_.size() + 1);
+    pass.below(span_, spans().size());
+    if (pass.restores() && has_told_) recorder_.enter(0, told_);
 }
 
 void Logbook::close(double now) {

@@ -5,6 +5,7 @@
 #include "stridor/integration/exact/limit_cycle.hpp"
 #include "stridor/integration/exact/silence.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/event_loop.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/record/recorder.hpp"
@@ -47,6 +48,9 @@ public:
     /// Hands the integrals of the span that ends here to the recorder.
     void end_span();
 
+    /// Passes what has been written down; the recorder of a run that goes on is told the present state.
+    void pass(Memory& pass);
+
     /// Clears the account, keeping its integrals for the span and the balance.
     void bank();
 
@@ -86,7 +90,7 @@ private:
     record::ContactInterval pending_;  // the state since the last event
     bool has_pending_ = false;
     bool has_told_ = false;
-    model::ContactState told_ = model::ContactState::slip;
+    record::ContactInterval told_;
     RecentChanges recent_;
 };
 

@@ -78,6 +78,8 @@ private:
 
     void watch_for_silence();
     void watch_for_cycle();
+    void pass(Memory& pass);
+    void hand_over();
 
     const model::Structure& whole_;
     const model::ContactPoint& contact_;
@@ -90,6 +92,8 @@ private:
     record::Recorder& recorder_;
     std::stop_token stop_;
     Logbook book_;
+    Handover* handover_ = nullptr;
+    EngineMemory last_step_{};  // the state at the beginning of the step in which the run ends
 
     ContactMode mode_ = ContactMode::stick;
     Lanes s_{};

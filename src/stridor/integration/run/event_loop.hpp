@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/record/recorder.hpp"
 
@@ -49,6 +50,8 @@ public:
         }
         return ++events_ > most_events;
     }
+
+    void pass(Memory& pass) { pass(begin_), pass(events_); }
 
 private:
     static constexpr double window = 1e-3;  // [1] of a step

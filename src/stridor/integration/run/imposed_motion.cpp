@@ -41,7 +41,7 @@ double ImposedMotion::cornered_position(double time) const {
 
 model::SurfaceMotion ImposedMotion::at(double time) const {
     if (profile_.frequency > 0.0) {
-        const base::SineCosine angle = base::sine_cosine_of_turns(profile_.frequency * time);
+        const base::SineCosine angle = base::sine_cosine_of_turns(profile_.frequency * time + profile_.turns);
         return {profile_.velocity * angle.cosine, -profile_.velocity * base::two_pi * profile_.frequency * angle.sine};
     }
     if (profile_.times.empty()) return {profile_.velocity, 0.0};
@@ -55,14 +55,15 @@ model::SurfaceMotion ImposedMotion::at(double time) const {
 double ImposedMotion::increment(long k) const {
     const auto number = static_cast<double>(k);
     if (profile_.frequency > 0.0)
-        return chord_ * base::sine_cosine_of_turns(profile_.frequency * step_ * (number + 0.5)).cosine;
+        return chord_ * base::sine_cosine_of_turns(profile_.frequency * step_ * (number + 0.5) + profile_.turns).cosine;
     if (profile_.times.empty()) return chord_;
     return cornered_position((number + 1.0) * step_) - cornered_position(number * step_);
 }
 
 double imposed_force(const parameters::Drive& drive, double time) {
     if (!parameters::is_by_force(drive)) return 0.0;
-    const double whole = drive.force * base::sine_cosine_of_turns(drive.frequency * time).cosine;
+    const double turns = drive.frequency * time + parameters::turns_at_start(drive);
+    const double whole = drive.force * base::sine_cosine_of_turns(turns).cosine;
     if (time >= drive.ramp) return whole;
     return whole * 0.5 * (1.0 - base::sine_cosine_of_turns(0.5 * time / drive.ramp).cosine);
 }

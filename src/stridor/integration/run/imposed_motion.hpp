@@ -36,8 +36,8 @@ private:
     std::vector<double> positions_;  // [m] x2 at the corners
 };
 
-/// The force of a drive by force at time t [s], in N: F cos(2 pi f t), which grows by half a cosine over the ramp from
-/// the start on, so that nothing jumps. 0 of any other drive.
+/// The force of a drive by force at time t [s], in N: F cos(2 pi (f t + turns)), with the turns at the start. It grows
+/// by half a cosine over the ramp from the start on, so that nothing jumps. 0 of any other drive.
 double imposed_force(const parameters::Drive& drive, double time);
 
 }  // namespace stridor::integration

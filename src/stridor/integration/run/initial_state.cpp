@@ -5,7 +5,9 @@
 #include "stridor/base/error.hpp"
 #include "stridor/model/equilibrium.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/start.hpp"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,9 +47,65 @@ model::Structure with_closed_contacts(model::Structure structure) {
     return structure;
 }
 
+// along one after the other, normal one, and the plate last
+InitialState where_joints_are(const parameters::Case& c, double surface_velocity) {
+    const auto last = static_cast<Eigen::Index>(2 * c.joints.size());
+    InitialState state{Eigen::VectorXd::Zero(last + 1), Eigen::VectorXd::Zero(last + 1)};
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
+        const parameters::JointStart& start = c.joints[k].start;
+        const auto along = static_cast<Eigen::Index>(2 * k);
+        const bool sticks = start.contact == parameters::ContactStart::stick;
+        state.displacement.segment(along, 2) << start.tangential, start.normal;
+        state.velocity.segment(along, 2) << (sticks ? surface_velocity : start.tangential_velocity),
+            start.normal_velocity;
+        state.contacts.push_back(start.contact);
+    }
+    state.displacement(last) = c.plate.initial_normal;
+    state.velocity(last) = c.plate.initial_normal_velocity;
+    return state;
+}
+
+InitialState where_rows_are(const parameters::OwnStructure& own) {
+    const auto rows = static_cast<Eigen::Index>(own.row.size());
+    const auto given = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
+        if (numbers.empty()) return Eigen::VectorXd::Zero(rows);
+        STRIDOR_EXPECT(static_cast<Eigen::Index>(numbers.size()) == rows);
+        return Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
+    };
+    return {given(own.initial_displacement), given(own.initial_velocity),
+            std::vector(own.contacts.size(), parameters::ContactStart::by_motion)};
+}
+
+double sum_of_sizes(const Eigen::VectorXd& row, const Eigen::VectorXd& numbers) {
+    return row.cwiseAbs().dot(numbers.cwiseAbs());
+}
+
+// what each contact does there; throws where none may
+InitialState lawful_start(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
+    InitialState state = c.own_structure ? where_rows_are(*c.own_structure) : where_joints_are(c, surface_velocity);
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+        const model::ContactPoint& point = structure.contacts[k];
+        const double moved = point.drive_share * surface_velocity;
+        const std::string name = parameters::has_named_contacts(c) ? parameters::contact_name(c, k) : "";
+        parameters::StartingContact contact{.name = name, .state = state.contacts[k]};
+        contact.gap = point.initial_gap + point.normal.dot(state.displacement);
+        contact.gap_size = std::abs(point.initial_gap) + sum_of_sizes(point.normal, state.displacement) +
+                           sum_of_sizes(point.tangent, state.displacement);
+        contact.rate = point.normal.dot(state.velocity);
+        contact.slip = point.tangent.dot(state.velocity) - moved;
+        contact.slip_size = sum_of_sizes(point.tangent, state.velocity) + std::abs(moved);
+        contact.rate_size = sum_of_sizes(point.normal, state.velocity) + contact.slip_size;
+        if (const std::optional<base::Problem> problem = parameters::unlawful(contact))
+            throw Error(ErrorKind::input, *problem);
+        state.contacts[k] = parameters::state_of(contact);
+    }
+    return state;
+}
+
 }  // namespace
 
 InitialState initial_state(const model::Structure& given, const Start& start, double surface_velocity) {
+    if (start.given) return *start.given;
     const model::Structure structure = model::in_canonical_order(given);
     using parameters::Initial;
     if (start.kind == Initial::sliding && surface_velocity == 0.0)
@@ -78,6 +136,7 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
 }
 
 InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
+    if (c.run.initial == parameters::Initial::given) return lawful_start(c, structure, surface_velocity);
     if (!c.own_structure) return initial_state(structure, {c.run.initial, c.run.perturbation}, surface_velocity);
     STRIDOR_EXPECT(c.run.initial != parameters::Initial::sliding);
     const parameters::OwnStructure& own = *c.own_structure;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/motion.hpp"
 #include "stridor/integration/series/taylor_block.hpp"
 #include "stridor/record/tally.hpp"
@@ -82,6 +83,9 @@ public:
 
     /// What impacts have done to the contacts since this was called before, shape [contact].
     std::vector<record::Load> take_impacts();
+
+    /// Passes what an event leaves to the next one.
+    void pass(Memory& pass) { pass(begins_), pass(soon_), pass(losses_), pass(completed_); }
 
     /// Contacts that pile-ups have closed so far.
     long completed() const { return completed_; }

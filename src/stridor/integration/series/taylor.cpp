@@ -59,12 +59,16 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
     state_.v.assign(v.data(), v.data() + v.size());
     state_.set.assign(structure_.contacts.size(), ContactMode::stick);
     for (std::size_t k = 0; k < structure_.contacts.size(); ++k)
-        if (whole_.contacts[structure_.number[k]].initial_gap > 0.0) state_.set[k] = ContactMode::open;
+        if (start.contacts.empty() ? whole_.contacts[structure_.number[k]].initial_gap > 0.0
+                                   : begins_open(start, structure_.number[k]))
+            state_.set[k] = ContactMode::open;
     state_.dropped.resize(structure_.contacts.size());
     told_ = state_.set;
+    intervals_.resize(structure_.contacts.size());
+    handover_ = start.handover;
     travel_ = {state_.q, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)};
     is_steady_ = parameters::is_steady(drive);
-    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
+    may_end_early_ = handover_ == nullptr && settings.early_ending == parameters::EarlyEnding::proven &&
                      !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
     samples_ = sample_times(recorder_.request().trace);
 }
@@ -131,6 +135,7 @@ void TaylorRun::tell() {
         }
         const record::ContactInterval interval{contact_of(state_.set[k]), time_, 0.0, w, rate};
         recorder_.enter(structure_.number[k], interval);
+        intervals_[k] = interval;
         if (is_measuring_) period_changes_.push_back({structure_.number[k], interval});
     }
     told_ = state_.set;
@@ -175,7 +180,41 @@ bool TaylorRun::pass_boundary() {
     return span_ < spans().size();
 }
 
+// the state at the beginning of a block
+void TaylorRun::pass(Memory& pass) {
+    pass(state_.q), pass(state_.v), pass(state_.set);
+    for (auto& functions : state_.dropped)
+        for (int& dropped : functions)
+            pass.below(dropped, block_order + 1);
+    pass(is_fresh_), pass(time_), pass(sums_from_);
+    pass.below(span_, spans().size());
+    pass.below(corner_, drive_.profile().times.size() + 1);
+    pass(told_), pass(intervals_), pass(blocks_), pass(blocks_since_event_), pass(work_), pass(initial_energy_);
+    pass(travel_.initial_q), pass(travel_.most_q), pass(travel_.most_v);
+    pile_up_.pass(pass);
+    pass(crowd_begin_), pass(crowd_events_);
+    settling_.pass(pass);
+}
+
+void TaylorRun::hand_over() {
+    const auto modes = static_cast<Eigen::Index>(structure_.modes());
+    EndState& to = handover_->to;
+    const Eigen::VectorXd u = structure_.shapes * Eigen::Map<const Eigen::VectorXd>(state_.q.data(), modes);
+    const Eigen::VectorXd speed = structure_.shapes * Eigen::Map<const Eigen::VectorXd>(state_.v.data(), modes);
+    to.displacement = list_of(u);
+    to.velocity = list_of(speed);
+    to.contacts.resize(state_.set.size());
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        to.contacts[structure_.number[k]] = contact_of(state_.set[k]);
+}
+
 Outcome TaylorRun::advance(const std::stop_token& stop) {
+    if (handover_ != nullptr && handover_->from != nullptr) {
+        restore(handover_, [this](Memory& memory) { pass(memory); });
+        for (std::size_t k = 0; k < intervals_.size(); ++k)
+            recorder_.enter(structure_.number[k], intervals_[k]);
+        return go_on(stop);
+    }
     surface_ = surface(0.0);
     initial_energy_ = stored_energy(structure_, state_.q, state_.v);
     const Settled settled = settling_.settle(state_, surface_);
@@ -183,9 +222,13 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
     if (settled != Settled::done) return without_forces(settled);
     tell();
     pass_boundary();
+    return go_on(stop);
+}
+
+Outcome TaylorRun::go_on(const std::stop_token& stop) {
     double entered = -1.0;  // [s] end of the span whose beginning has been looked at
-    for (long blocks = 1; span_ < spans().size(); ++blocks) {
-        if (blocks % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
+    for (; span_ < spans().size(); ++blocks_) {
+        if (blocks_ % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
         if (!is_finite(state_.q, state_.v)) return {Reason::diverged, time_};
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
@@ -200,9 +243,11 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         if (firing.is_lost) return {Reason::diverged, time_};
         const bool fires = firing.theta <= reach;
         const double theta = fires ? firing.theta : reach;
+        const bool ends_at_boundary = !fires && reach * length + time_ >= boundary;
+        if (ends_at_boundary && boundary >= spans().back().to)
+            keep(handover_, [this](Memory& memory) { pass(memory); });
         account(theta);
         pass_samples(theta);
-        const bool ends_at_boundary = !fires && reach * length + time_ >= boundary;
         if (fires || ends_at_boundary) press(theta);
         move(theta);
         time_ = ends_at_boundary ? boundary : time_ + theta * length;
@@ -213,7 +258,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
             continue;
         }
         if (time_ < boundary) {
-            if (blocks % blocks_between_projections == 0) settling_.project(state_, surface(time_));
+            if (blocks_ % blocks_between_projections == 0) settling_.project(state_, surface(time_));
             if (watch_for_silence()) return {Reason::settled, silence_->time};
             continue;
         }
@@ -234,6 +279,7 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
 
 Motion TaylorRun::run(const std::stop_token& stop) {
     const Outcome outcome = advance(stop);
+    if (handover_ != nullptr) hand_over();
     // what has gathered in closed gaps since the last time would be work of the load
     if (outcome.reason == Reason::completed) settling_.project(state_, surface(outcome.time));
     const bool is_filled = outcome.reason == Reason::settled;

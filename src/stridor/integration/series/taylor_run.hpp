@@ -63,6 +63,9 @@ private:
     bool pass_boundary();
     void end_span();
     void tell();
+    void pass(Memory& pass);
+    void hand_over();
+    Outcome go_on(const std::stop_token& stop);
     bool is_linear() const;
     bool watch_for_silence();
     void fill_with_silence(LastingSet& set);
@@ -86,6 +89,9 @@ private:
     std::size_t corner_ = 0;
     SampleTimes samples_;
     std::vector<ContactMode> told_;
+    std::vector<record::ContactInterval> intervals_;  // the present states, as the recorder knows them, shape [contact]
+    long blocks_ = 1;
+    Handover* handover_ = nullptr;
     Sums sums_;               // of the span so far
     double sums_from_ = 0.0;  // [s]
     Sums period_;             // of the period that is being measured

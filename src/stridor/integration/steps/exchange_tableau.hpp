@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/kernels/row_kernel.hpp"
+#include "stridor/integration/run/end_state.hpp"
 
 #include <Eigen/Core>
 
@@ -41,6 +42,9 @@ public:
     /// x_to = share x_from + a new x_to from now on. Where x_to alone is exchanged that has no meaning. Costs an
     /// exchange where x_from alone is, else next to nothing.
     void shear(std::size_t from, std::size_t to, double share);
+
+    /// Passes all of it: exchanges leave their rounding behind.
+    void pass(Memory& pass) { pass(matrix_), pass(follows_), pass(is_exchanged_), pass(exchanges_); }
 
     /// Exchanges since all began with W.
     long exchanges() const { return exchanges_; }

@@ -1,5 +1,6 @@
 #include "stridor/integration/steps/formulations.hpp"
 
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/step_loop.hpp"
 #include "stridor/integration/steps/massless.hpp"
 #include "stridor/integration/steps/moreau.hpp"
@@ -26,7 +27,14 @@ Motion integrate_twice(const model::Structure& structure, const parameters::Driv
     record::Recorder beside = tallies_of(recorder, structure);
     Motion motion = twice(Formulation::standard, std::move(recorder));
     if (!has_result(motion.outcome)) return motion;
+    const EndState standard = start.handover == nullptr ? EndState() : start.handover->to;
     Motion massless = twice(Formulation::massless, std::move(beside));
+    if (start.handover != nullptr) {
+        // the motion is the standard one
+        start.handover->to.displacement = standard.displacement;
+        start.handover->to.velocity = standard.velocity;
+        start.handover->to.contacts = standard.contacts;
+    }
     motion.massless = MasslessTwin{massless.outcome, std::move(massless.record.phases)};
     return motion;
 }

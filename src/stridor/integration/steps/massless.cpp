@@ -50,6 +50,14 @@ public:
     void sample();
     static long watch_every() { return 1; }
     double stored() const;
+    void pass(Memory& pass) {
+        state.pass(pass), contacts_.pass(pass);
+        pass(place_), pass(before_), pass(force_before_), pass(loads_place_), pass(shakers_place_);
+    }
+    std::pair<std::vector<double>, std::vector<double>> place() const {
+        const auto [u, speed] = moving();
+        return {list_of(u), list_of(speed)};
+    }
     static std::vector<record::Outlook> outlooks(const Outcome&) { return {}; }
 
     StepState state;
@@ -62,6 +70,7 @@ private:
     void tell(std::size_t contact);
     double load_place() const;
     double shaken_place() const;
+    std::pair<Eigen::VectorXd, Eigen::VectorXd> moving() const;
 
     MasslessStructure massless_;  // its modes are those of the state
     StepContacts contacts_;
@@ -224,15 +233,21 @@ void MasslessRun::watch() {
                 (state.force - force_before_) / state.step * channels_shaken_);
 }
 
+// displacements [m] and velocities [m/s] of all degrees of freedom at this instant
+std::pair<Eigen::VectorXd, Eigen::VectorXd> MasslessRun::moving() const {
+    const ModalStructure& modes = state.modal;
+    const Eigen::VectorXd changed = (numbers_at(state.forces) - numbers_at(before_)) / state.step;
+    return {modes.shapes * state.modes_of(state.q) + massless_.moved * numbers_at(state.forces) + massless_.load_moved +
+                state.force * massless_.shaken_moved,
+            modes.shapes * state.modes_of(state.v) + massless_.moved * changed +
+                (state.force - force_before_) / state.step * massless_.shaken_moved};
+}
+
 void MasslessRun::sample() {
     const ModalStructure& modes = state.modal;
     state.rows.combine(all_, state.forces, state.push);
     const Eigen::VectorXd a = state.acceleration(state.q, state.v);
-    const Eigen::VectorXd changed = (numbers_at(state.forces) - numbers_at(before_)) / state.step;
-    const Eigen::VectorXd u = modes.shapes * state.modes_of(state.q) + massless_.moved * numbers_at(state.forces) +
-                              massless_.load_moved + state.force * massless_.shaken_moved;
-    const Eigen::VectorXd speed = modes.shapes * state.modes_of(state.v) + massless_.moved * changed +
-                                  (state.force - force_before_) / state.step * massless_.shaken_moved;
+    const auto [u, speed] = moving();
     std::vector<double> gaps;
     for (std::size_t k = 0; k < state.set.size(); ++k)
         gaps.push_back(place_[state.plan().first[k]]);

@@ -83,6 +83,15 @@ public:
     void sample();
     long watch_every() const { return watch_every_; }
     double stored() const { return stored_energy(state.modal, state.q, state.v); }
+    void pass(Memory& pass) {
+        state.pass(pass), contacts_.pass(pass), closing_.pass(pass);
+        pass(has_impact_), pass(touched_), pass(rates_), pass(surface_velocity_);
+    }
+    std::pair<std::vector<double>, std::vector<double>> place() const {
+        const Eigen::VectorXd u = state.modal.shapes * state.modes_of(state.q);
+        const Eigen::VectorXd speed = state.modal.shapes * state.modes_of(state.v);
+        return {list_of(u), list_of(speed)};
+    }
 
     // what is known of each contact that sticks, at the end of the run over a surface of constant velocity
     std::vector<record::Outlook> outlooks(const Outcome& outcome) const;

@@ -45,6 +45,12 @@ public:
     double rate(std::size_t row) const { return rate_[row]; }    // [m/s] likewise, at its end: of the gap, or of slip
     /// [m/s] at its end: signed, or of two tangents its size.
     double slip_velocity(std::size_t contact) const { return tried_[contact].slip_velocity; }
+    /// Passes what a step leaves to the next one.
+    void pass(Memory& pass) {
+        tableau_.pass(pass);
+        pass(set_), pass(friction_), pass(direction_), pass(force_), pass(rate_), pass(is_singular_);
+        pass(changes_), pass(restarts_);
+    }
     long changes() const { return changes_; }    // [1] of states so far, all trials
     long restarts() const { return restarts_; }  // [1] searches that began again with all contacts stuck
 

@@ -26,10 +26,17 @@ StepState::StepState(const model::Structure& structure, ModalStructure modes, co
       forces(plan().rows(), 0.0),
       vibration(static_cast<std::size_t>(model::channels_of(structure))),
       load(structure.contacts.size()),
+      told(structure.contacts.size()),
+      handover(start.handover),
       travel{q, std::vector<double>(modal.modes(), 0.0), std::vector<double>(modal.modes(), 0.0)} {
     if (structure.shaken.size() != 0) shaken = padded(modal.shapes.transpose() * structure.shaken, rows.padded_modes());
     for (std::size_t row = 0; row < forces.size(); ++row)
         share.push_back(drive_share_of(modal.contacts, plan(), row));
+}
+
+void StepState::pass(Memory& pass) {
+    pass(q), pass(v), pass(push), pass(forces), pass(set), pass(force), pass(dashpot_power), pass(n), pass(work);
+    pass(initial_energy), pass(travel.initial_q), pass(travel.most_q), pass(travel.most_v), pass(told);
 }
 
 void StepState::press(const std::vector<double>& carried) {
@@ -51,7 +58,8 @@ void StepState::note_dashpots() {
 }
 
 void StepState::tell(std::size_t contact, ContactMode mode, double slip_velocity, double gap_velocity) {
-    recorder.enter(modal.number[contact], {contact_of(mode), time(), 0.0, slip_velocity, gap_velocity});
+    told[contact] = {contact_of(mode), time(), 0.0, slip_velocity, gap_velocity};
+    recorder.enter(modal.number[contact], told[contact]);
 }
 
 Eigen::VectorXd StepState::acceleration(const std::vector<double>& at_q, const std::vector<double>& at_v) const {

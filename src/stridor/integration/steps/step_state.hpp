@@ -1,6 +1,8 @@
 #pragma once
 
 #include "stridor/integration/modal/modal_account.hpp"
+#include "stridor/integration/rules/contact_mode_of.hpp"
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/imposed_motion.hpp"
 #include "stridor/integration/run/initial_state.hpp"
 #include "stridor/integration/run/step_loop.hpp"
@@ -17,6 +19,8 @@
 #include <limits>
 #include <optional>
 #include <stop_token>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace stridor::integration {
@@ -49,12 +53,17 @@ struct StepState {
     std::vector<record::Vibration> vibration;  // of the span so far, shape [channel]
     std::vector<record::Load> load;            // likewise, shape [contact]
     EnergyBalance work;
+    std::vector<record::ContactInterval> told;  // the present states, as the recorder knows them, shape [contact]
+    Handover* handover = nullptr;
     double initial_energy = 0.0;  // [J]
     ModalTravel travel;
 
     const ContactRowPlan& plan() const { return rows.plan(); }
     double time() const { return static_cast<double>(n) * step; }  // [s]
     bool is_steady() const { return parameters::is_steady(drive); }
+
+    /// Passes what is the same in all formulations.
+    void pass(Memory& pass);
 
     /// The modes of a vector that is filled up.
     Eigen::Map<const Eigen::VectorXd> modes_of(const std::vector<double>& numbers) const {
@@ -95,6 +104,7 @@ struct StepState {
 ///     long watch_every()                  steps between two velocities
 ///     void sample(), bool samples_behind  samples the step that is next, or the one that is done
 ///     double stored(), outlooks(outcome)  energy [J], and what is known of the time afterwards
+///     pass(memory), place()               what it goes on from, and u and u' [m, m/s] of the state at this instant
 ///
 /// Every 256 steps it looks for numbers that left double precision, and at the stop request.
 template <typename Formulation>
@@ -137,7 +147,13 @@ Outcome run_steps(Formulation& run, const std::stop_token& stop) {
         }
         return std::nullopt;
     };
-    if (const std::optional<Outcome> ended = run.begin()) return *ended;
+    if (s.handover != nullptr && s.handover->from != nullptr) {
+        restore(s.handover, [&](Memory& memory) { run.pass(memory); });
+        for (std::size_t k = 0; k < s.told.size(); ++k)
+            s.recorder.enter(s.modal.number[k], s.told[k]);
+    } else if (const std::optional<Outcome> ended = run.begin()) {
+        return *ended;
+    }
     Spans spans{run, s};
     if (const std::optional<Outcome> ended = run_spans(spans, s.recorder, s.step, go_to)) return *ended;
     return Outcome{is_finite_now() ? Reason::completed : Reason::diverged, s.time()};
@@ -147,6 +163,13 @@ Outcome run_steps(Formulation& run, const std::stop_token& stop) {
 template <typename Formulation>
 Motion motion_of(Formulation run, const std::stop_token& stop) {
     const Outcome ended = run_steps(run, stop);
+    if (Handover* handover = run.state.handover; handover != nullptr && has_result(ended)) {
+        std::tie(handover->to.displacement, handover->to.velocity) = run.place();
+        handover->to.contacts.resize(run.state.set.size());
+        for (std::size_t k = 0; k < run.state.set.size(); ++k)
+            handover->to.contacts[run.state.modal.number[k]] = contact_of(run.state.set[k]);
+        keep(handover, [&](Memory& memory) { run.pass(memory); });
+    }
     const EnergyBalance balance = run.state.balance(run.stored());
     const Outcome outcome = weighed(ended, balance, std::numeric_limits<double>::infinity());
     Motion motion{outcome, balance, run.state.recorder.finish(outcome.time, run.outlooks(outcome))};

@@ -142,6 +142,7 @@ private:
         }
         add_list("force", own.force);
         add_list("initial_displacement", own.initial_displacement);
+        if (parameters::has_given_velocity(own)) add_list("initial_velocity", own.initial_velocity);
     }
 
     void add_matrices(const OwnStructure& own) {

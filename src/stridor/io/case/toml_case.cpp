@@ -275,7 +275,8 @@ bool is_required(const parameters::Field& field) {
     constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
     const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
     const bool has_usual = field.name == "stribeck_exponent" || field.name == "viscous_friction";
-    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law && !has_usual;
+    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law && !has_usual &&
+           !parameters::is_of_start(field);
 }
 
 void assign(parameters::CaseToSet at, const Field& field, const TomlEntry& entry) {

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 5> number_keys{"damping_ratio", "loss_fac
 constexpr std::array<std::string_view, 4> list_keys{"load", "force", "initial_displacement", "initial_velocity"};
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
-constexpr std::array<std::string_view, 3> common_keys{"builder", "force", "initial_displacement"};
+constexpr std::array<std::string_view, 4> common_keys{"builder", "force", "initial_displacement", "initial_velocity"};
 constexpr std::array<std::string_view, 3> output_keys{"name", "node", "direction"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
@@ -242,6 +242,12 @@ OwnStructure from_builder(const StructureBuilder& builder, const TomlDocument& d
     return own;
 }
 
+bool starts_where_given(const TomlDocument& document) {
+    const TomlEntry* initial = document.find("run.initial");
+    const auto* name = initial == nullptr ? nullptr : std::get_if<std::string>(&initial->value);
+    return name != nullptr && *name == "given";
+}
+
 // a start that opens or closes gaps would be none of the preloaded rest
 void expect_closed(const OwnStructure& own, const TomlSection& section) {
     for (const parameters::OwnContact& contact : own.contacts) {
@@ -313,8 +319,10 @@ std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& docum
     if (section.has("force")) own.force = section.numbers("force", own.row.size());
     if (section.has("initial_displacement")) {
         own.initial_displacement = section.numbers("initial_displacement", own.row.size());
-        expect_closed(own, section);
+        if (!starts_where_given(document)) expect_closed(own, section);
     }
+    if (builder != nullptr && section.has("initial_velocity"))
+        own.initial_velocity = section.numbers("initial_velocity", own.row.size());
     return std::make_shared<const OwnStructure>(std::move(own));
 }
 
