@@ -9,6 +9,7 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/io/chart/range_text.hpp"
+#include "stridor/io/simulation/end_state_file.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/field.hpp"
@@ -22,6 +23,8 @@
 #include <unistd.h>
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace stridor::app {
 
@@ -35,9 +38,12 @@ struct SimulateOptions {
     bool json = false;
     std::string trace;  // file to write
     io::TraceTexts times;
-    std::string history;  // file to write
-    std::string figure;   // file to draw
-    std::string zoom;     // "from:to" with units
+    std::string history;    // file to write
+    std::string figure;     // file to draw
+    std::string end_state;  // file to write
+    std::string from;       // end state to go on with
+    std::string initial;    // end state to begin in
+    std::string zoom;       // "from:to" with units
     pictures::Sheet sheet;
 };
 
@@ -63,13 +69,32 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, in
         console::write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
 }
 
+// the case, to begin in the end state of another run
+parameters::Case begun_in(const SimulateOptions& options, parameters::Case c) {
+    if (options.initial.empty()) return c;
+    const io::ReadEndState read = io::read_end_state_file(options.initial);
+    io::expect_same_shape(read, c, options.initial);
+    return integration::begun_at(std::move(c), read.state);
+}
+
+// a run of the same case to go on with
+std::optional<integration::EndState> state_to_go_on_with(const SimulateOptions& options, const parameters::Case& c) {
+    if (options.from.empty()) return std::nullopt;
+    io::ReadEndState read = io::read_end_state_file(options.from);
+    io::expect_same_case(read, c, options.from);
+    return std::move(read.state);
+}
+
 void simulate(const SimulateOptions& options) {
     storage::expect_ending("--trace", options.trace, {".csv", ".nc"});
     storage::expect_ending("--history", options.history, {".csv"});
-    const parameters::Case c = load_case(options.input);
+    storage::expect_ending("--end-state", options.end_state, {".json"});
+    const parameters::Case c = begun_in(options, load_case(options.input));
+    const std::optional<integration::EndState> from = state_to_go_on_with(options, c);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
-    integration::Motion motion = integration::simulate(c, request, interrupt.token());
+    integration::Motion motion = from ? integration::go_on(c, *from, request, interrupt.token())
+                                      : integration::simulate(c, request, interrupt.token());
     if (const std::optional<Error> failure = integration::failure(c, motion)) {
         // where a motion has no end, its document says what the contacts did there
         if (options.json && failure->kind() == ErrorKind::numerical)
@@ -79,6 +104,12 @@ void simulate(const SimulateOptions& options) {
     const std::vector<Verdict> verdicts =
         classification::classify_phases(motion.record.phases, c.verdict, classification::contact_names(c));
     write_records(options, c, motion, request.trace.interval);
+    if (!options.end_state.empty()) {
+        const integration::Ended ended = integration::run_to_end(c, from ? &*from : nullptr, interrupt.token());
+        if (ended.outcome.reason == integration::Reason::cancelled)
+            throw Error(ErrorKind::interrupted, {"the end state was not made", "it was interrupted", ""});
+        console::write_output(options.end_state, io::end_state_json(c, ended.state) + "\n");
+    }
     console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                                 : console::simulation_text(c, motion, verdicts));
     if (!options.json && console::has_terminal() && !c.own_structure)
@@ -107,6 +138,21 @@ void add_simulate(CLI::App& program) {
     command->add_option("--history", options->history, "write every contact state with its times to FILE.csv")
         ->type_name("FILE")
         ->check(in_a_folder());
+    command
+        ->add_option("--end-state", options->end_state,
+                     "write where the run stands at its end to FILE.json, to go on with it")
+        ->type_name("FILE")
+        ->check(in_a_folder());
+    CLI::Option* from = command
+                            ->add_option("--from", options->from,
+                                         "go on with a run of the same case: its --end-state; run.duration counts "
+                                         "from that run's begin")
+                            ->type_name("FILE");
+    command
+        ->add_option("--initial", options->initial,
+                     "begin a run of its own in the --end-state of another one, perhaps of other quantities")
+        ->type_name("FILE")
+        ->excludes(from);
     CLI::Option* figure =
         command
             ->add_option("--figure", options->figure,
