@@ -6,14 +6,20 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/io/chart/range_text.hpp"
+#include "stridor/io/simulation/end_state_file.hpp"
+#include "stridor/io/simulation/followed_motion.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/record/trace.hpp"
+#include "stridor/sweep/following.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::binding {
@@ -29,13 +35,45 @@ struct RunHandle {
     std::vector<Verdict> verdicts;
 };
 
-RunHandle run(const CaseHandle& c, const record::Request& request) {
+// an end state that Python holds as its document; nothing of an empty one
+std::optional<integration::EndState> state_of(const CaseHandle& c, const std::string& document) {
+    if (document.empty()) return std::nullopt;
+    io::ReadEndState read = io::read_end_state(document, "start");
+    io::expect_same_case(read, *c.of, "start");
+    return std::move(read.state);
+}
+
+RunHandle run(const CaseHandle& c, const record::Request& request, const std::string& start = "") {
+    const std::optional<integration::EndState> from = state_of(c, start);
     return unlocked([&](const std::stop_token& stop) {
-        integration::Motion motion = integration::simulate(*c.of, request, stop);
+        integration::Motion motion =
+            from ? integration::go_on(*c.of, *from, request, stop) : integration::simulate(*c.of, request, stop);
         if (const std::optional<Error> failure = integration::failure(*c.of, motion)) throw Error(*failure);
         std::vector<Verdict> verdicts =
             classification::classify_phases(motion.record.phases, c.of->verdict, classification::contact_names(*c.of));
         return RunHandle{c, std::move(motion), std::move(verdicts)};
+    });
+}
+
+std::string end_state(const CaseHandle& c, const std::string& start) {
+    const std::optional<integration::EndState> from = state_of(c, start);
+    return unlocked([&](const std::stop_token& stop) {
+        const integration::Ended ended = integration::run_to_end(*c.of, from ? &*from : nullptr, stop);
+        const integration::Motion motion{.outcome = ended.outcome, .energy = {}, .record = {}};
+        if (const std::optional<Error> failure = integration::failure(*c.of, motion)) throw Error(*failure);
+        return io::end_state_json(*c.of, ended.state);
+    });
+}
+
+CaseHandle begun_in(const CaseHandle& c, const std::string& start) {
+    const io::ReadEndState read = io::read_end_state(start, "start");
+    io::expect_same_shape(read, *c.of, "start");
+    return {std::make_shared<const parameters::Case>(integration::begun_at(*c.of, read.state))};
+}
+
+std::string follow(const CaseHandle& c, const std::string& over) {
+    return unlocked([&](const std::stop_token& stop) {
+        return io::following_json(sweep::follow(*c.of, io::read_scan_range(over), {.stop = stop}));
     });
 }
 
@@ -142,7 +180,15 @@ void bind_simulation(py::module_& module) {
         .def("phases", &phases)
         .def("json", &document);
     module.def(
-        "simulate", [](const CaseHandle& c) { return run(c, {}); }, py::arg("case"));
+        "simulate", [](const CaseHandle& c, const std::string& start) { return run(c, {}, start); }, py::arg("case"),
+        py::arg("start") = "");
+    module.def(
+        "end_state", [](const CaseHandle& c, const std::string& start) { return python_text(end_state(c, start)); },
+        py::arg("case"), py::arg("start") = "");
+    module.def("begun_in", &begun_in, py::arg("case"), py::arg("start"));
+    module.def(
+        "follow", [](const CaseHandle& c, const std::string& over) { return python_text(follow(c, over)); },
+        py::arg("case"), py::arg("over"));
     module.def("trace", &trace, py::arg("case"), py::arg("start"), py::arg("stop"), py::arg("interval"));
     module.def("history", &history, py::arg("case"));
     module.def("origin", &origin, py::arg("case"), py::arg("schema"));

@@ -21,6 +21,7 @@ from ._chart_run import chart
 from ._charts import Chart, open_chart
 from ._design import Advice, Stability, StabilityDirection, advise, stability
 from ._evaluate import evaluate, words
+from ._ends import EndState, Following, end_state, follow, read_end_state
 from ._explorer import Explorer, explore
 from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
 from ._sounds import Hearing, Library, Recording, Sound, library, listen, read_sound
@@ -31,9 +32,9 @@ from .errors import Error, FileError, InputError, Interrupted, NumericalError, P
 __version__: str = _stridor.version
 
 __all__ = [
-    "Advice", "Axis", "Boundary", "Case", "Chart", "ChartAxis", "Error", "Explorer", "FileError", "Hearing",
-    "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place",
-    "Recording", "Sound", "Stability", "StabilityDirection", "Table", "advise", "axis", "case", "case_names", "chart",
-    "errors", "evaluate", "explore", "from_toml", "library", "listen", "open_chart", "read", "read_sound", "simulate",
-    "stability", "structure", "table", "words",
+    "Advice", "Axis", "Boundary", "Case", "Chart", "ChartAxis", "EndState", "Error", "Explorer", "FileError",
+    "Following", "Hearing", "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase",
+    "PhaseVerdict", "Place", "Recording", "Sound", "Stability", "StabilityDirection", "Table", "advise", "axis", "case",
+    "case_names", "chart", "end_state", "errors", "evaluate", "explore", "follow", "from_toml", "library", "listen",
+    "open_chart", "read", "read_end_state", "read_sound", "simulate", "stability", "structure", "table", "words",
 ]

@@ -48,7 +48,7 @@ def chart(
         A constant drive is run once for each, with V = +-abs(velocity).
     refine : int
         [1] 0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that only where cells differ.
-    starts : sequence of {"rest", "stuck", "sliding"}
+    starts : sequence of {"rest", "stuck", "sliding", "given"}
         Each cell is run from all of them and shows the worst; without them from the case's own.
     out : path, optional
         The folder. Without it the chart is kept as long as the object.

@@ -76,7 +76,7 @@ def evaluate(
         nothing for a point's words changes nothing there.
     directions : "going", "coming", or both
         A constant drive is run once for each, with V = +-abs(velocity).
-    starts : sequence of {"rest", "stuck", "sliding"}
+    starts : sequence of {"rest", "stuck", "sliding", "given"}
         Each point is run from all of them and shows the worst; without them from the case's own.
     threads : int
         [1] 0: one per processor this process may use.

@@ -31,12 +31,18 @@ class Joint(Section):
     axial_damping: Quantity
     flexural_damping: Quantity
     incidence_angle: Quantity
+    initial_tangential: Quantity
+    initial_normal: Quantity
+    initial_tangential_velocity: Quantity
+    initial_normal_velocity: Quantity
     def __getitem__(self, name: str) -> Joint: ...
 
 class Plate(Section):
     mass: Quantity
     stiffness: Quantity
     damping: Quantity
+    initial_normal: Quantity
+    initial_normal_velocity: Quantity
     def __getitem__(self, name: str) -> Plate: ...
 
 class Structure(Section):
@@ -73,6 +79,7 @@ class Contact(Section):
     kinetic_friction_coming: Quantity
     impact: Word
     restitution: Quantity
+    initial_state: Word
     def __getitem__(self, name: str) -> Contact: ...
 
 class Temperature(Section):
@@ -86,6 +93,7 @@ class Drive(Section):
     velocity: Quantity
     force: Quantity
     ramp: Quantity
+    phase: Quantity
     file: Word
     def __getitem__(self, name: str) -> Drive: ...
 

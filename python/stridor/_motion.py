@@ -7,6 +7,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 from . import _fields, _html, _stridor
 from ._case import Case, CaseOrName, as_case
+from ._ends import EndState
 from ._evaluate import _named
 from ._given import plain
 from ._optional import needed
@@ -314,7 +315,7 @@ def _states(numbers: Any) -> Tuple[Any, Dict[str, str]]:
     return _named(numbers, _stridor.contact_states, ""), {"long_name": "contact state"}
 
 
-def simulate(case: CaseOrName) -> Motion:
+def simulate(case: CaseOrName, start: Optional[EndState] = None) -> Motion:
     """Runs a case.
 
     Other Python threads go on meanwhile. Ctrl-C ends it within a tenth of a second.
@@ -323,6 +324,9 @@ def simulate(case: CaseOrName) -> Motion:
     ----------
     case : Case or str
         The name of one that comes along will do.
+    start : EndState, optional
+        Goes on with that run of the same case: `run.duration` counts from its begin, and the window lies behind it.
+        Each number is that of one run without a break.
 
     Returns
     -------
@@ -346,4 +350,4 @@ def simulate(case: CaseOrName) -> Motion:
     states alternate regularly (regularity 0.997)
     """
     of = as_case(case).copy()
-    return Motion(of, _stridor.simulate(of._handle))
+    return Motion(of, _stridor.simulate(of._handle, start.to_json() if start is not None else ""))
