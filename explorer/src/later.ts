@@ -49,4 +49,5 @@ export function help({ presets }: Start): void {
   }
   sheet.toggle();
 }
+export { beginAt } from "./views/own_start.ts";
 export { paintStructure } from "./draw/structure_drawing.ts";

@@ -73,7 +73,11 @@ class Page {
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
     const shown = new Shown();
     this.mechanism_ = new Mechanism(this.clock_, shown, async () => (await later()).paintStructure);
-    const first = { response: new Response(store, this.motions_, this.clock_, shown) };
+    const first = {
+      response: new Response(store, this.motions_, this.clock_, shown, async (...click) =>
+        (await later()).beginAt(store, ...click),
+      ),
+    };
     this.views_ = new Views(
       store,
       first,

@@ -1,7 +1,7 @@
 /** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
 import { lastAtMost, shownContact, valueAt, type Motion } from "../data/frames.ts";
 import type { ContactState } from "../program/words.ts";
-import { marginOf, paintAxes } from "./axes.ts";
+import { marginOf, paintAxes, type Box } from "./axes.ts";
 import type { Palette } from "./colours.ts";
 import { columnOf, isOnPlate } from "./lane_specs.ts";
 import { unitText, writtenIn } from "./format.ts";
@@ -10,6 +10,10 @@ import type { Surface } from "./surface.ts";
 const mostPoints = 5_000;
 const finest = 2e-5; // [s] a 50th of a period at 1 kHz
 
+/** Where a portrait lies on its canvas: its frame, left, top, width and height, and the ends of its axes [m], [m/s]. */
+export type Portrait = readonly [Box, number, number, number, number];
+
+/** Returns what was painted, if anything was. */
 export function paintPortrait(
   surface: Surface,
   motion: Motion,
@@ -17,7 +21,7 @@ export function paintPortrait(
   now: number,
   palette: Palette,
   contact = 0,
-): void {
+): Portrait | undefined {
   const place = columnOf(motion, "x1", contact);
   const velocity = columnOf(motion, "x1_velocity", contact);
   const x = motion.columns.get(place)?.values;
@@ -98,4 +102,5 @@ export function paintPortrait(
     pen.stroke();
   }
   pen.restore();
+  return [box, x0, x1, v0, v1];
 }

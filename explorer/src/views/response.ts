@@ -6,7 +6,7 @@ import { inRow, quantity } from "../draw/format.ts";
 import { contactAt, marginLeft, marginRight } from "../draw/bands.ts";
 import { contactColumn, isLaned, isOnPlate, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
 import { leastHeight, mostLanes, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
-import { paintPortrait } from "../draw/portrait.ts";
+import { paintPortrait, type Portrait } from "../draw/portrait.ts";
 import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
 import { onLook, palette } from "../draw/theme.ts";
@@ -29,12 +29,14 @@ export class Response implements ViewPart {
   private saver_ = 0;
   private portraitTimer_ = 0;
   private looked_ = false;
+  private painted_: Portrait | undefined;
 
   constructor(
     private readonly store_: Store,
     private readonly motions_: Motions,
     private readonly clock_: Clock,
     private readonly chosen_: Shown,
+    begin: (event: MouseEvent, portrait: Portrait, motion: Motion, contact: number) => void,
   ) {
     const canvas = h("canvas", {
       "id": "response",
@@ -47,6 +49,8 @@ export class Response implements ViewPart {
     this.lanes_ = surface(canvas, (s) => this.paint_(s));
     this.portrait_ = surface(phase, (s) => this.paintPortrait_(s));
     this.listen_(canvas);
+    phase.onclick = (event) =>
+      this.trees_ && this.painted_ && begin(event, this.painted_, this.trees_.motion, chosen_.contact);
     const boxes = laneSpecs.map(({ name, title }) => {
       const box = h("input", {
         "type": "checkbox",
@@ -262,7 +266,7 @@ export class Response implements ViewPart {
   private paintPortrait_(s: Surface): void {
     if (!this.trees_) return;
     const { motion } = this.trees_;
-    paintPortrait(s, motion, this.shown_, this.clock_.time, palette(), this.chosen_.contact);
+    this.painted_ = paintPortrait(s, motion, this.shown_, this.clock_.time, palette(), this.chosen_.contact);
     const { name } = shownContact(motion, this.chosen_.contact);
     const who = motion.contacts.length < 2 && isOnPlate(motion) ? "the joint" : name;
     s.canvas.setAttribute("aria-label", `Phase portrait of ${who}`);
