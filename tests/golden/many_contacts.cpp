@@ -88,7 +88,7 @@ Case reduced_block() {
 
 // two nodes that slip in a plane, shaken by a force
 Case squeak_rig() {
-    return io::read_case(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/squeak-rig/squeak-rig.toml");
+    return io::read_case(STRIDOR_SOURCE_DIR "/cases/published/squeak-rig.toml");
 }
 
 Case two_joints() {

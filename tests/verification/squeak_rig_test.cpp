@@ -28,7 +28,7 @@ namespace {
 constexpr double period = 1.0 / 7.0;  // [s]
 
 parameters::Case rig(std::vector<std::string> overrides = {}) {
-    const std::string path = STRIDOR_SOURCE_DIR "/tests/fixtures/structures/squeak-rig/squeak-rig.toml";
+    const std::string path = STRIDOR_SOURCE_DIR "/cases/published/squeak-rig.toml";
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
