@@ -1,0 +1,166 @@
+#include "stridor/verification/quantities.hpp"
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/analysis/stability_scan.hpp"
+#include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/failure.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/io/chart/range_text.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/record/trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stridor::verification {
+
+namespace {
+
+using parameters::Case;
+
+integration::Motion motion_of(const Case& c, const record::Request& request = {}) {
+    integration::Motion motion = integration::simulate(c, request);
+    if (const std::optional<Error> error = integration::failure(c, motion)) throw Error(*error);
+    return motion;
+}
+
+record::Request over_window(const Case& c, double interval) {
+    record::Request request;
+    request.trace = {.from = c.run.duration - c.run.window, .to = c.run.duration, .interval = interval};
+    return request;
+}
+
+// t.u of a sample
+double position(const Case& c, const record::Trace& trace, std::size_t sample) {
+    STRIDOR_EXPECT(c.own_structure != nullptr);
+    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
+    double sum = 0.0;
+    for (std::size_t row = 0; row < tangent.size(); ++row)
+        sum += tangent[row] * trace.displacement[row][sample];
+    return sum;
+}
+
+const record::Tally& phase_called(const integration::Motion& motion, std::string_view name) {
+    for (const record::Tally& tally : motion.record.phases)
+        if (name.empty() || record::phase_names[static_cast<std::size_t>(tally.phase)] == name) return tally;
+    base::refuse("the run has no phase " + std::string(name), "", "");
+}
+
+analysis::StabilityBoundary first_boundary(const Case& c, std::string_view about) {
+    for (const analysis::DirectionScan& scan :
+         analysis::scan_stability(c, io::read_scan_range(std::string(about))).directions)
+        if (!scan.path.boundaries.empty()) return scan.path.boundaries.front();
+    base::refuse("steady sliding does not change its kind along " + std::string(about), "", "");
+}
+
+using Property = bool (*)(const Case&);
+
+bool sticks_on(const Case& c) {
+    return analysis::evidence(motion_of(c).record.phases.front(), 0).rates.stick > 0.0;
+}
+
+bool has_helmholtz_motion(const Case& c) {
+    const classification::Verdict verdict =
+        classification::classify_phase(motion_of(c).record.phases.front(), c.verdict);
+    const double pitch = *parameters::recipe_number(c, "frequency");  // [Hz]
+    return verdict.category == classification::Category::squeal &&
+           std::abs(verdict.evidence.alternation.frequency / pitch - 1.0) < 0.02 &&
+           verdict.evidence.judged_rates.slip < 2.0 * *parameters::recipe_number(c, "position");
+}
+
+// bisected until the ends are nearer than `share` of the value; the lower end has the property, or only the upper one
+double limit_of(const Case& c, std::string_view about, Property has, double share) {
+    const analysis::ScanRange range = io::read_scan_range(std::string(about));
+    const auto at = [&](double value) {
+        Case changed = c;
+        parameters::set_quantity(changed, range.key, value);
+        return has(changed);
+    };
+    double from = range.from, to = range.to;
+    const bool below = at(from);
+    if (below == at(to))
+        base::refuse("no limit lies in " + std::string(about), "both ends are of one kind", "Take a wider range.");
+    while (to - from > share * to) {
+        const double middle = 0.5 * (from + to);
+        (at(middle) == below ? from : to) = middle;
+    }
+    return 0.5 * (from + to);
+}
+
+constexpr double fine_share = 1e-7;     // of limits that cost milliseconds a run
+constexpr double coarse_share = 0.004;  // of those that cost a tenth of a second
+
+}  // namespace
+
+double slip_amplitude(const Case& c, std::string_view) {
+    constexpr double samples = 50000.0;  // of a window of a period: the peak is known to 2e-9 of itself
+    const record::Trace trace = motion_of(c, over_window(c, c.run.window / samples)).record.trace;
+    const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
+    double least = 0.0, most = 0.0;
+    for (std::size_t k = 0; k < trace.time.size(); ++k) {
+        const double slip = position(c, trace, k) -
+                            profile.amplitude * base::sine_cosine_of_turns(profile.frequency * trace.time[k]).sine;
+        least = k == 0 ? slip : std::min(least, slip);
+        most = k == 0 ? slip : std::max(most, slip);
+    }
+    return 0.5 * (most - least);
+}
+
+double position_at(const Case& c, std::string_view about) {
+    const double time = std::strtod(std::string(about).c_str(), nullptr);
+    record::Request request;
+    request.trace = {.from = time, .to = time, .interval = time};
+    return position(c, motion_of(c, request).record.trace, 0);
+}
+
+double wear_power(const Case& c, std::string_view) {
+    Case before = c;
+    before.run.duration = before.run.window = c.run.duration - c.run.window;
+    const double loss = motion_of(c).energy.friction_loss - motion_of(before).energy.friction_loss;
+    return loss / (c.contact().kinetic_friction * c.run.window);
+}
+
+double output_rms(const Case& c, std::string_view) {
+    record::Trace trace = motion_of(c, over_window(c, c.run.step)).record.trace;
+    record::add_points(trace, parameters::output_weights(c));
+    double sum = 0.0;
+    for (const double velocity : trace.velocity.at(c.own_structure->row.size()))
+        sum += velocity * velocity;
+    return std::sqrt(sum / static_cast<double>(trace.time.size()));
+}
+
+double category(const Case& c, std::string_view about) {
+    const integration::Motion motion = motion_of(c);
+    return static_cast<double>(classification::classify_phase(phase_called(motion, about), c.verdict).category);
+}
+
+double slip_share(const Case& c, std::string_view about) {
+    const integration::Motion motion = motion_of(c);
+    return analysis::evidence(phase_called(motion, about), 0).judged_rates.slip;
+}
+
+double stability_limit(const Case& c, std::string_view about) {
+    return first_boundary(c, about).value;
+}
+
+double stability_frequency(const Case& c, std::string_view about) {
+    return first_boundary(c, about).frequency;
+}
+
+double stick_limit(const Case& c, std::string_view about) {
+    return limit_of(c, about, sticks_on, fine_share);
+}
+
+double greatest_helmholtz_force(const Case& c, std::string_view about) {
+    return limit_of(c, about, has_helmholtz_motion, coarse_share);
+}
+
+}  // namespace stridor::verification
