@@ -4,6 +4,8 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/verification/published.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::verification {
@@ -16,8 +18,15 @@ constexpr std::string_view printed_digits = "half of the last printed digit";
 constexpr std::string_view rounding = "rounding of a closed form";
 constexpr std::string_view finite_modes = "15 %, by judgement: their corner is sharp, that of 60 modes is not";
 
+constexpr std::string_view modelica_steps = "1e-4 of it, by judgement: steps of a tolerance of 1e-6 each";
 constexpr std::string_view law_missing = "the law is missing";
 constexpr std::string_view no_parameters = "mass, stiffness and friction do not stand in open text";
+
+// of Leine's block, whose digits are all given
+PublishedNumber leine(std::string quantity, std::string_view unit, std::vector<std::string> set, QuantityOfCase measure,
+                      double theirs, double tolerance) {
+    return {std::move(quantity), unit, std::move(set), measure, "", theirs, tolerance, printed_digits};
+}
 
 // the phase of one of the paper's runs is of this category
 PublishedNumber paper_category(std::string_view phase, Category theirs) {
@@ -93,6 +102,36 @@ std::vector<PublishedSystem> make_systems() {
            0.68204414,
            2.5e-3,
            "steps of 0.01 s: h^2/2 of 49 m/s^2 in 7 swings"}}},
+        {"Leine et al. 1998, digits recomputed",
+         "a block on a belt, friction 1/(1 + 3 |w|)",
+         Origin::computation,
+         "leine-block.toml",
+         "",
+         {leine("period, V = 0.2 m/s", "s", {}, release_period, 12.001031, 5e-7),
+          leine("slip time, V = 0.2 m/s", "s", {}, slip_time, 4.296000, 5e-7),
+          leine("stick share, V = 0.2 m/s", "1", {}, stick_share, 0.64203, 5e-6),
+          leine("period, V = 0.1 m/s", "s", {"drive.velocity=0.1"}, release_period, 17.865990, 5e-7),
+          leine("stick share, V = 0.1 m/s", "1", {"drive.velocity=0.1"}, stick_share, 0.76076, 5e-6)}},
+        {"Modelica, Examples.Friction, stop1",
+         "a mass pushed to and fro",
+         Origin::computation,
+         "sliding-mass.toml",
+         "the surface is shaken in place of the force, which is the same for the slip",
+         {{"way after 5 s", "m", {}, slip_at, "5", 1.768462821, 1.8e-4, modelica_steps},
+          {"velocity after 5 s", "m/s", {}, slip_velocity_at, "5", 6.86485859, 6.9e-4, modelica_steps}}},
+        {"Le Rouzic et al. 2013: V_s ln(N dmu / (c V_s))",
+         "a wiper blade",
+         Origin::formula,
+         "wiper-squeal.toml",
+         "a mode of 1 kHz, which the criterion does not ask for",
+         {{"velocity below which it squeals",
+           "m/s",
+           {},
+           stability_limit,
+           "drive.velocity=0.05:1",
+           0.286220088,
+           5e-10,
+           printed_digits}}},
         {"Code_Aster V5.01.100 (SDND100)",
          "a friction pad on a spring, released",
          Origin::formula,
@@ -157,7 +196,23 @@ std::vector<PublishedSystem> make_systems() {
          Origin::formula,
          "bowed-string.toml",
          "60 modes, Helmholtz's motion at the start; the theory has a string of all modes and a sharp corner",
-         {{"greatest bow force, beta = 0.08",
+         {{"string's slip share, beta = 0.08",
+           "1",
+           {},
+           slip_share,
+           "",
+           0.08,
+           0.0167,
+           "the corner of 60 modes: 1/60 of the period"},
+          {"string's slip share, beta = 0.13",
+           "1",
+           {"structure.position=0.13"},
+           slip_share,
+           "",
+           0.13,
+           0.0167,
+           "the corner of 60 modes: 1/60 of the period"},
+          {"greatest bow force, beta = 0.08",
            "N",
            {},
            greatest_helmholtz_force,
@@ -207,6 +262,8 @@ const std::vector<NotReproduced>& not_reproduced() {
         {"Canudas de Wit et al. 1995, as auralius/LuGre", "LuGre, plateaus 0.63, 1.27, 1.91, 2.55 m; break-away 1.09 N",
          law_missing},
         {"Rice and Ruina 1983", "rate and state, critical stiffness 2.55e9 and 5.001666667e9 N/m", law_missing},
+        {"Modelica, Examples.Friction, stop2", "a mass hits a stop at 0.060596954 s, rests at -0.247515848 m",
+         "it starts displaced towards the stop: own structures start with the gaps of the rest"},
         {"Feeny and Moon 1994", "chaos of a forced mass whose normal force follows its way",
          "no number stands in open text"},
         {"Reddyhoff et al. 2015, measured", "wiper blades, noise near 1000 Hz and at 2000 to 2500 Hz", no_parameters},

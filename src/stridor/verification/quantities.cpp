@@ -9,6 +9,7 @@
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/chart/range_text.hpp"
+#include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/trace.hpp"
@@ -48,17 +49,59 @@ double position(const Case& c, const record::Trace& trace, std::size_t sample) {
     return sum;
 }
 
+// position of the surface, of a drive with a frequency
+double surface_position(const Case& c, double time) {
+    const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
+    return profile.amplitude * base::sine_cosine_of_turns(profile.frequency * time).sine;
+}
+
+double number_in(std::string_view text) {
+    return std::strtod(std::string(text).c_str(), nullptr);
+}
+
+record::Trace sample_at(const Case& c, double time) {
+    record::Request request;
+    request.trace = {.from = time, .to = time, .interval = time};
+    return motion_of(c, request).record.trace;
+}
+
+struct MeanCycle {
+    double period = 0.0;  // [s] from release to release
+    double slip = 0.0;    // [s] of it
+};
+
+// of all cycles from the first release on
+MeanCycle mean_cycle(const Case& c) {
+    const integration::Motion motion = motion_of(c, {record::KeepHistory::yes, {}});
+    double first = 0.0, last = 0.0, slip = 0.0, slipped = 0.0;
+    long releases = 0;
+    for (const record::ContactInterval& stay : motion.record.histories.front()) {
+        if (stay.state == model::ContactState::slip && stay.from > 0.0) {
+            if (releases == 0) first = stay.from;
+            last = stay.from;
+            slipped = slip;
+            ++releases;
+        }
+        if (stay.state == model::ContactState::slip && releases > 0) slip += stay.to - stay.from;
+    }
+    if (releases < 2) base::refuse("the contact is released " + std::to_string(releases) + " times", "", "");
+    const auto cycles = static_cast<double>(releases - 1);
+    return {(last - first) / cycles, slipped / cycles};
+}
+
 const record::Tally& phase_called(const integration::Motion& motion, std::string_view name) {
     for (const record::Tally& tally : motion.record.phases)
         if (name.empty() || record::phase_names[static_cast<std::size_t>(tally.phase)] == name) return tally;
     base::refuse("the run has no phase " + std::string(name), "", "");
 }
 
-analysis::StabilityBoundary first_boundary(const Case& c, std::string_view about) {
+analysis::StabilityBoundary stable_boundary(const Case& c, std::string_view about) {
     for (const analysis::DirectionScan& scan :
          analysis::scan_stability(c, io::read_scan_range(std::string(about))).directions)
-        if (!scan.path.boundaries.empty()) return scan.path.boundaries.front();
-    base::refuse("steady sliding does not change its kind along " + std::string(about), "", "");
+        for (const analysis::StabilityBoundary& boundary : scan.path.boundaries)
+            if (boundary.below == analysis::StabilityKind::stable || boundary.above == analysis::StabilityKind::stable)
+                return boundary;
+    base::refuse("steady sliding is not stable on one side of a limit along " + std::string(about), "", "");
 }
 
 using Property = bool (*)(const Case&);
@@ -103,11 +146,9 @@ constexpr double coarse_share = 0.004;  // of those that cost a tenth of a secon
 double slip_amplitude(const Case& c, std::string_view) {
     constexpr double samples = 50000.0;  // of a window of a period: the peak is known to 2e-9 of itself
     const record::Trace trace = motion_of(c, over_window(c, c.run.window / samples)).record.trace;
-    const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
     double least = 0.0, most = 0.0;
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
-        const double slip = position(c, trace, k) -
-                            profile.amplitude * base::sine_cosine_of_turns(profile.frequency * trace.time[k]).sine;
+        const double slip = position(c, trace, k) - surface_position(c, trace.time[k]);
         least = k == 0 ? slip : std::min(least, slip);
         most = k == 0 ? slip : std::max(most, slip);
     }
@@ -115,10 +156,33 @@ double slip_amplitude(const Case& c, std::string_view) {
 }
 
 double position_at(const Case& c, std::string_view about) {
-    const double time = std::strtod(std::string(about).c_str(), nullptr);
-    record::Request request;
-    request.trace = {.from = time, .to = time, .interval = time};
-    return position(c, motion_of(c, request).record.trace, 0);
+    return position(c, sample_at(c, number_in(about)), 0);
+}
+
+double slip_at(const Case& c, std::string_view about) {
+    return position_at(c, about) - surface_position(c, number_in(about));
+}
+
+double slip_velocity_at(const Case& c, std::string_view about) {
+    const record::Trace trace = sample_at(c, number_in(about));
+    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
+    double sum = -trace.surface_velocity.at(0);
+    for (std::size_t row = 0; row < tangent.size(); ++row)
+        sum += tangent[row] * trace.velocity[row].at(0);
+    return sum;
+}
+
+double release_period(const Case& c, std::string_view) {
+    return mean_cycle(c).period;
+}
+
+double slip_time(const Case& c, std::string_view) {
+    return mean_cycle(c).slip;
+}
+
+double stick_share(const Case& c, std::string_view) {
+    const MeanCycle cycle = mean_cycle(c);
+    return 1.0 - cycle.slip / cycle.period;
 }
 
 double wear_power(const Case& c, std::string_view) {
@@ -148,11 +212,11 @@ double slip_share(const Case& c, std::string_view about) {
 }
 
 double stability_limit(const Case& c, std::string_view about) {
-    return first_boundary(c, about).value;
+    return stable_boundary(c, about).value;
 }
 
 double stability_frequency(const Case& c, std::string_view about) {
-    return first_boundary(c, about).frequency;
+    return stable_boundary(c, about).frequency;
 }
 
 double stick_limit(const Case& c, std::string_view about) {

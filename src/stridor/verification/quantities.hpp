@@ -19,6 +19,21 @@ double slip_amplitude(const parameters::Case& c, std::string_view about);
 /// Returns the tangential position of the first contact at the instant `about` [m].
 double position_at(const parameters::Case& c, std::string_view about);
 
+/// Returns how far the first contact has slipped by the instant `about`, from where the surface was at t = 0 [m].
+double slip_at(const parameters::Case& c, std::string_view about);
+
+/// Returns the slip velocity of the first contact at the instant `about` [m/s].
+double slip_velocity_at(const parameters::Case& c, std::string_view about);
+
+/// Returns the mean time from one release of the first contact to the next [s].
+double release_period(const parameters::Case& c, std::string_view about);
+
+/// Returns the mean time from a release of the first contact to its next stick [s].
+double slip_time(const parameters::Case& c, std::string_view about);
+
+/// Returns the share of time between releases in which the first contact sticks [1].
+double stick_share(const parameters::Case& c, std::string_view about);
+
 /// Returns the mean of N |w| over the window [W]: the friction power over mu_d.
 double wear_power(const parameters::Case& c, std::string_view about);
 
@@ -31,7 +46,8 @@ double category(const parameters::Case& c, std::string_view about);
 /// Returns the share of time in which the first contact slips, judged part of the phase `about` [1].
 double slip_share(const parameters::Case& c, std::string_view about);
 
-/// Returns where steady sliding first changes its kind along the range `about`, going or, if not there, coming.
+/// Returns where steady sliding first becomes stable, or ceases to be, along the range `about`: going or, if not there,
+/// coming.
 double stability_limit(const parameters::Case& c, std::string_view about);
 
 /// Returns the frequency of the mode that begins to grow there [Hz].
