@@ -9,6 +9,7 @@
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/engines.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -39,6 +40,8 @@ constexpr double seconds_per_exact_step = 1e-7;
 constexpr double seconds_per_taylor_step = 1e-6;
 constexpr double seconds_per_taylor_contact = 1e-6;
 constexpr double seconds_per_taylor_mode_and_contact = 4.5e-8;
+// where friction changes with the slip velocity blocks are shorter
+constexpr double taylor_steps_of_changing_friction = 2.0;
 
 std::string temperature_table_text(const parameters::Case& c) {
     std::string text = fmt::format("{:<20} = {}\n", "at", fmt::join(parameters::node_texts(c), ", "));
@@ -133,11 +136,15 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
 }
 
 double exact_seconds_per_step(const parameters::Case& c, const model::Structure& structure) {
-    if (!parameters::has_named_contacts(c)) return seconds_per_exact_step;
+    if (!parameters::is_solved_by_series(c)) return seconds_per_exact_step;
     const auto contacts = static_cast<double>(structure.contacts.size());
     const auto modes = static_cast<double>(model::dofs_of(structure));
-    return seconds_per_taylor_step +
-           contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact);
+    const bool changes =
+        std::any_of(structure.contacts.begin(), structure.contacts.end(),
+                    [](const model::ContactPoint& contact) { return !is_state_wise(contact.friction); });
+    return (changes ? taylor_steps_of_changing_friction : 1.0) *
+           (seconds_per_taylor_step +
+            contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact));
 }
 
 std::string cost_text(const parameters::Case& c, const model::Structure& structure, const integration::Cost& cost) {
