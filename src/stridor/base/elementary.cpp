@@ -126,8 +126,10 @@ double power_of_2(double x) {
     return std::ldexp(sum, static_cast<int>(whole));
 }
 
+// in the next three what is no number stays none: that a motion has left double precision is for its engine to say
 double exponential(double x) {
-    STRIDOR_EXPECT(x < 700.0);
+    STRIDOR_EXPECT(!(x >= 700.0));
+    if (std::isnan(x)) return x;
     if (x < -700.0) return 0.0;
     const double whole = std::nearbyint(x / ln_2);
     const double f = (x - whole * ln_2_high) - whole * ln_2_low;
@@ -148,18 +150,20 @@ double exponential(double x) {
 }
 
 double power(double x, double y) {
-    STRIDOR_EXPECT(x >= 0.0 && y >= 0.0);
+    STRIDOR_EXPECT(!(x < 0.0) && y >= 0.0);
     if (y == 0.0) return 1.0;
     if (x == 0.0) return 0.0;
-    if (y == 1.0) return x;
+    if (y == 1.0 || std::isnan(x)) return x;
     if (y == 2.0) return x * x;
+    if (std::isinf(x)) return power_of_2(999.0);
     const double doublings = y * logarithm_2(x);
     if (doublings < -999.0) return 0.0;
     return power_of_2(doublings < 999.0 ? doublings : 999.0);
 }
 
 double arctangent(double x) {
-    STRIDOR_EXPECT(x >= 0.0);
+    STRIDOR_EXPECT(!(x < 0.0));
+    if (std::isnan(x)) return x;
     // near a sixteenth of a right angle its tangent is known: arctan x = that + arctan((x - t)/(1 + x t))
     const bool is_steep = x > 1.0;
     const double flat = is_steep ? 1.0 / x : x;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace stridor::base {
 namespace {
@@ -120,6 +121,17 @@ RC_GTEST_PROP(Exponential, IsAccurate, ()) {
     RC_ASSERT(relative_error(exponential(x), std::exp(static_cast<long double>(x))) < 4e-16L);
     const double small = std::ldexp(*signed_fraction(), -*whole_between(0, 60));
     RC_ASSERT(relative_error(exponential(small), std::exp(static_cast<long double>(small))) < 4e-16L);
+}
+
+// a motion that leaves double precision is found by its engine
+TEST(Elementary, LeavesWhatIsNoNumber) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(std::isnan(exponential(nan)) && std::isnan(arctangent(nan)));
+    for (const double y : {1.0, 1.5, 2.0, 20.0})
+        EXPECT_TRUE(std::isnan(power(nan, y))) << y;
+    EXPECT_EQ(exponential(-infinity), 0.0);
+    EXPECT_EQ(power(infinity, 1.5), power_of_2(999.0));
+    EXPECT_NEAR(arctangent(infinity), 0.5 * std::numbers::pi, 1e-15);
 }
 
 TEST(Exponential, OfVeryLittleIsNothing) {
