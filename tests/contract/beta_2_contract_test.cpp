@@ -17,10 +17,7 @@ void choose_falling_beta_2(parameters::Case& c) {
 
 void choose_stribeck_beta_2(parameters::Case& c) {
     choose(c);
-    c.contact().friction = parameters::FrictionKind::stribeck;
-    c.contact().static_friction = c.contact().kinetic_friction + 0.05;  // with which a slip begins
-    c.contact().stribeck_velocity = 1.0;                                // it falls by 0.05 s/m at most
-    c.contact().viscous_friction = 0.01;
+    rub_by_stribeck(c);
 }
 
 // At beta_2 = 0.5 the balance is exact but for rounding. Each of the 1e4 steps rounds forces of the size K u by 2^-53;

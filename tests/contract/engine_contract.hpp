@@ -25,6 +25,14 @@ struct EngineUnderTest {
     bool starts_stuck = true;   // can a run start with the contact stuck to what moves?
 };
 
+/// Lets the contact of a case rub by Stribeck's curve.
+inline void rub_by_stribeck(parameters::Case& c) {
+    c.contact().friction = parameters::FrictionKind::stribeck;
+    c.contact().static_friction = c.contact().kinetic_friction + 0.05;  // with which a slip begins
+    c.contact().stribeck_velocity = 1.0;                                // it falls by 0.05 s/m at most
+    c.contact().viscous_friction = 0.01;
+}
+
 inline void PrintTo(const EngineUnderTest& engine, std::ostream* out) {
     *out << engine.name;
 }

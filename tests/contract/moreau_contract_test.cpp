@@ -17,10 +17,7 @@ void choose_falling_moreau(parameters::Case& c) {
 
 void choose_stribeck_moreau(parameters::Case& c) {
     choose_moreau(c);
-    c.contact().friction = parameters::FrictionKind::stribeck;
-    c.contact().static_friction = c.contact().kinetic_friction + 0.05;  // with which a slip begins
-    c.contact().stribeck_velocity = 1.0;                                // it falls by 0.05 s/m at most
-    c.contact().viscous_friction = 0.01;
+    rub_by_stribeck(c);
 }
 
 void choose_massless(parameters::Case& c) {
