@@ -8,7 +8,7 @@
 #include "stridor/io/chart/chart_netcdf.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/pictures/diagram.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/parts/chart_cells.hpp"

@@ -2,9 +2,9 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "support/effort.hpp"
 #include "support/oracles/figure_laws.hpp"
 #include "support/oracles/motion_laws.hpp"

@@ -1,8 +1,8 @@
 #include "support/shrink.hpp"
 
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <charconv>
 #include <variant>

@@ -4,7 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/record/trace.hpp"
 
 #include <gtest/gtest.h>

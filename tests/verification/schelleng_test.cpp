@@ -5,7 +5,7 @@
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/model/built/bowed_string.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "support/effort.hpp"
 
 #include <gtest/gtest.h>

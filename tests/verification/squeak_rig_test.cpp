@@ -7,8 +7,8 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/parameters/check.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/record/trace.hpp"
 #include "support/many_contacts.hpp"
 

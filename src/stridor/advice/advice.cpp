@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 
 #include <fmt/format.h>
 

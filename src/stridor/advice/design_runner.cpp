@@ -5,7 +5,7 @@
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/crew/crew.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study_work.hpp"

@@ -4,10 +4,10 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/temperature_table.hpp"
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
+#include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <cmath>

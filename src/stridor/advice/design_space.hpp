@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/study.hpp"
 

@@ -1,8 +1,8 @@
 #include "stridor/advice/headline.hpp"
 
 #include "stridor/advice/margins.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
 
 #include <fmt/format.h>
 

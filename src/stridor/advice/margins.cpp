@@ -3,8 +3,8 @@
 #include "stridor/advice/headline.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "stridor/advice/quieting.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 
 #include <algorithm>
 #include <array>

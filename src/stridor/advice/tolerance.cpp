@@ -5,8 +5,8 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
 
 #include <algorithm>
 #include <bit>

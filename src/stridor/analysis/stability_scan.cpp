@@ -5,8 +5,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/case_structure.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <utility>
 

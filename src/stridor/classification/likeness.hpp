@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/classification/recording_verdict.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/sound/features.hpp"
 
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "stridor/classification/ear.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/sound/analysis.hpp"
 #include "stridor/sound/features.hpp"
 

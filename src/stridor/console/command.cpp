@@ -3,7 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/listing.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <algorithm>
 #include <iterator>

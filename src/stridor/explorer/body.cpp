@@ -5,7 +5,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/refinement.hpp"
 

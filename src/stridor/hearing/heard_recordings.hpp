@@ -2,7 +2,7 @@
 
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/signal/source.hpp"
 #include "stridor/sound/analysis.hpp"
 #include "stridor/storage/kept_results.hpp"

@@ -5,7 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <algorithm>

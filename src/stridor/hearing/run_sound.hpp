@@ -4,7 +4,7 @@
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/signal/source.hpp"
 #include "stridor/sound/auralisation.hpp"
 #include "stridor/sound/features.hpp"

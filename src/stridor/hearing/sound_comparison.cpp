@@ -6,8 +6,8 @@
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"
 

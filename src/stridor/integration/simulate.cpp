@@ -14,9 +14,9 @@
 #include "stridor/integration/steps/massless_structure.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/parameters/engines.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <algorithm>

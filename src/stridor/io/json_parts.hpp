@@ -5,12 +5,12 @@
 #include "stridor/base/json.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/parameters/contact_field.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <array>

@@ -2,10 +2,10 @@
 
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/contact_field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <optional>
 #include <string_view>

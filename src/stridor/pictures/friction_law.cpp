@@ -3,8 +3,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/friction.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 

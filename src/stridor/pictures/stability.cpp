@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 
 #include <fmt/format.h>

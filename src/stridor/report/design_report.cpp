@@ -5,7 +5,7 @@
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"

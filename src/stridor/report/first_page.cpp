@@ -4,7 +4,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"

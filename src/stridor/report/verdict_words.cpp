@@ -1,7 +1,7 @@
 #include "stridor/report/verdict_words.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/crew/crew.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/store/store.hpp"

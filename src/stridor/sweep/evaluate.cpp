@@ -10,8 +10,8 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/rubbing_system.hpp"
-#include "stridor/parameters/check.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

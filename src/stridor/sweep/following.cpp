@@ -4,7 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/starts.hpp"
 

@@ -1,7 +1,7 @@
 #include "stridor/sweep/ready_charts.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <cstddef>
 #include <string>

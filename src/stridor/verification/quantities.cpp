@@ -10,7 +10,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/trace.hpp"
 

@@ -4,8 +4,8 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <algorithm>
 #include <string>

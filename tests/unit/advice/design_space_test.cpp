@@ -1,6 +1,6 @@
 #include "stridor/advice/design_space.hpp"
 
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/error_text.hpp"

@@ -2,7 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/explorer/api.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "support/effort.hpp"
 #include "support/patience.hpp"
 

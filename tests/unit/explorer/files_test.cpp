@@ -2,7 +2,7 @@
 
 #include "stridor/explorer/api.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/canary.hpp"
 

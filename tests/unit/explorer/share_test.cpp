@@ -4,7 +4,7 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 

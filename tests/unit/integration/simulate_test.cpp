@@ -1,8 +1,8 @@
 #include "stridor/integration/simulate.hpp"
 
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <gtest/gtest.h>
 

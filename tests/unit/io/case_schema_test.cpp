@@ -1,6 +1,6 @@
 #include "stridor/io/case/case_schema.hpp"
 
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "support/error_text.hpp"
 

@@ -4,7 +4,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/packed_case.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/chart/json_chart.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/sweep/boundaries.hpp"
 

@@ -4,7 +4,7 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "stridor/noise_library/starter_noises.hpp"
 
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "support/error_text.hpp"
 #include "unit/noise_library/library_folder.hpp"
 

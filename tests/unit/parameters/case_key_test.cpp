@@ -1,4 +1,4 @@
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/joints.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/parameters/contact_field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
 
 #include <gtest/gtest.h>
 

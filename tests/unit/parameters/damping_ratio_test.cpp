@@ -1,7 +1,7 @@
-#include "stridor/parameters/damping_ratio.hpp"
+#include "stridor/parameters/tables/damping_ratio.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/parameters/engines.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <gtest/gtest.h>
 

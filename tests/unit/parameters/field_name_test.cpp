@@ -1,4 +1,4 @@
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 
 #include "support/error_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"

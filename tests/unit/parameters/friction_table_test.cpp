@@ -1,7 +1,7 @@
-#include "stridor/parameters/friction_table.hpp"
+#include "stridor/parameters/tables/friction_table.hpp"
 
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "stridor/parameters/joints.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <gtest/gtest.h>
 

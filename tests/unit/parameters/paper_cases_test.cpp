@@ -1,7 +1,7 @@
 #include "stridor/parameters/paper_cases.hpp"
 
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "stridor/parameters/resolution.hpp"
+#include "stridor/parameters/rules/resolution.hpp"
 
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <gtest/gtest.h>

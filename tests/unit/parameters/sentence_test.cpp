@@ -1,5 +1,5 @@
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/damping_ratio.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
+#include "stridor/parameters/tables/damping_ratio.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 

@@ -1,9 +1,9 @@
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
 
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "stridor/pictures/parts/field_axis.hpp"
 
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

@@ -6,10 +6,10 @@
 #include "stridor/hearing/hearing.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <gtest/gtest.h>
 

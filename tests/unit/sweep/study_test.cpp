@@ -1,10 +1,10 @@
 #include "stridor/sweep/study.hpp"
 
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/sweep/ready_charts.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"

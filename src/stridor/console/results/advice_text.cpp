@@ -3,7 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

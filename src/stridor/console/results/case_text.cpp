@@ -8,12 +8,12 @@
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/engines.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

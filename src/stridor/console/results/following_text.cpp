@@ -1,7 +1,7 @@
 #include "stridor/console/results/following_text.hpp"
 
 #include "stridor/console/results/text_table.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 

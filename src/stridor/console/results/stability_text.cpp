@@ -5,7 +5,7 @@
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <optional>
 #include <string>

@@ -6,7 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/json_parts.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"
 

@@ -1,12 +1,12 @@
 #include "stridor/io/case/case_document.hpp"
 
 #include "stridor/io/case/own_structure/built_structure.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/contact_field.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <cstddef>
 #include <optional>

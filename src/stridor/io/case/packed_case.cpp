@@ -4,7 +4,7 @@
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/parameters/contact_field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <algorithm>

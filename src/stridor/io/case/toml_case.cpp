@@ -6,9 +6,9 @@
 #include "stridor/io/case/toml_case_keys.hpp"
 #include "stridor/io/case/toml_joints.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
-#include "stridor/parameters/check.hpp"
-#include "stridor/parameters/friction_table.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/tables/friction_table.hpp"
 
 #include <algorithm>
 #include <array>

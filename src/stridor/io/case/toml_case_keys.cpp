@@ -4,9 +4,9 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 #include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "stridor/io/case/complaints.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <string>
 #include <vector>

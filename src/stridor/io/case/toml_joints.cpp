@@ -2,7 +2,7 @@
 
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "stridor/io/case/toml_temperature.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <cstddef>

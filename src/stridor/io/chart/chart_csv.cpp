@@ -2,7 +2,7 @@
 
 #include "stridor/base/csv_text.hpp"
 #include "stridor/io/csv_opening.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_bands.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/new_file.hpp"
 #include "stridor/sweep/starts.hpp"

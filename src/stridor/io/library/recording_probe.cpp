@@ -8,7 +8,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/sound/json_sound.hpp"
 #include "stridor/noise_library/entry_filler.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/recordings/rig_channels.hpp"
 #include "stridor/signal/source.hpp"

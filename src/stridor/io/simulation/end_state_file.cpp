@@ -4,7 +4,7 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "stridor/base/csv_text.hpp"
 #include "stridor/io/csv_opening.hpp"
 #include "stridor/io/json_parts.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <string_view>

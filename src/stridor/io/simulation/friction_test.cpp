@@ -5,7 +5,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/json_members.hpp"
 #include "stridor/io/json_parts.hpp"
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/rig_channels.hpp"

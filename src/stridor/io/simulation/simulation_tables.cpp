@@ -7,7 +7,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/csv_opening.hpp"
 #include "stridor/model/sliding_motion.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/record/trace.hpp"
 #include "stridor/recordings/time_grid.hpp"
 #include "stridor/storage/atomic_file.hpp"

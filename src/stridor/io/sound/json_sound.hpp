@@ -2,7 +2,7 @@
 
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/noise_library/entry.hpp"
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <cstddef>

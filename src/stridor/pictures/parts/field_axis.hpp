@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/drawing/scene.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <span>

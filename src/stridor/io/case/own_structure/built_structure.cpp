@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/model/built/built_structure.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <fmt/format.h>
 

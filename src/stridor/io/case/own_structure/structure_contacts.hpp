@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
-#include "stridor/parameters/contact_field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/reduction/part.hpp"

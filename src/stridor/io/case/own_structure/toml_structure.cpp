@@ -5,7 +5,7 @@
 #include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/io/case/own_structure/contacts_csv.hpp"
 #include "stridor/io/case/own_structure/toml_section.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include <algorithm>

@@ -1,15 +1,15 @@
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/damping_ratio.hpp"
-#include "stridor/parameters/field_belongs.hpp"
-#include "stridor/parameters/field_ranges.hpp"
-#include "stridor/parameters/friction_table.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field_belongs.hpp"
+#include "stridor/parameters/fields/field_ranges.hpp"
+#include "stridor/parameters/tables/damping_ratio.hpp"
+#include "stridor/parameters/tables/friction_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"

@@ -1,8 +1,8 @@
-#include "stridor/parameters/usual_range.hpp"
+#include "stridor/parameters/fields/usual_range.hpp"
 
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/field_ranges.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/fields/field_ranges.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <cmath>

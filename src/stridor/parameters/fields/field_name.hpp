@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
-#include "stridor/parameters/contact_field.hpp"
+#include "stridor/parameters/fields/contact_field.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/parameters/field_ranges.hpp"
+#include "stridor/parameters/fields/field_ranges.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include <vector>
 

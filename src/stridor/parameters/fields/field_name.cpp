@@ -1,4 +1,4 @@
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/parameters/friction_table.hpp"
+#include "stridor/parameters/tables/friction_table.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"

@@ -1,10 +1,10 @@
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/damping_ratio.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/tables/damping_ratio.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
-#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <optional>

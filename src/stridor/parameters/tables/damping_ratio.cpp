@@ -1,4 +1,4 @@
-#include "stridor/parameters/damping_ratio.hpp"
+#include "stridor/parameters/tables/damping_ratio.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"

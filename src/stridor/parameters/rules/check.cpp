@@ -1,15 +1,15 @@
-#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/rules/check.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/engines.hpp"
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/field_belongs.hpp"
-#include "stridor/parameters/friction_keys.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/field_belongs.hpp"
+#include "stridor/parameters/fields/friction_keys.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/parameters/resolution.hpp"
+#include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/rules/resolution.hpp"
 #include "stridor/parameters/start.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
 #include <cmath>

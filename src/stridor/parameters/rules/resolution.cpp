@@ -10,12 +10,12 @@
 // summand is known to eps times the ratio, 1e-4 where that is 1e12. A normal force is known to eps F, a friction force
 // mu N to eps mu F.
 
-#include "stridor/parameters/resolution.hpp"
+#include "stridor/parameters/rules/resolution.hpp"
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/friction_keys.hpp"
+#include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/friction_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
