@@ -45,6 +45,7 @@ void tell_preloads(const model::Structure& structure, std::vector<record::Tally>
 
 // what is wanted of a run
 struct Watch {
+    parameters::Drive drive;
     record::Schedule schedule;
     const record::Request& request;
     Handover* handover = nullptr;
@@ -56,16 +57,16 @@ Motion run_joint(const parameters::Case& c, const model::Structure& structure, c
     record::Recorder recorder(watch.schedule, watch.request, model::dofs_of(structure), 1);
     Start start{c.run.initial, c.run.perturbation};
     if (c.run.initial == parameters::Initial::given)
-        start.given = initial_state(c, structure, ImposedMotion(c.drive, 1.0).at(0.0).velocity);
+        start.given = initial_state(c, structure, ImposedMotion(watch.drive, 1.0).at(0.0).velocity);
     start.handover = watch.handover;
     if (c.run.engine == Engine::beta_2) {
         const StepRun run = [&](double step, record::Recorder taker) {
-            return integrate_beta_2(structure, c.drive, start, {step, c.run.beta_2}, std::move(taker), stop);
+            return integrate_beta_2(structure, watch.drive, start, {step, c.run.beta_2}, std::move(taker), stop);
         };
         return run_twice(run, c.run.step, structure, std::move(recorder));
     }
     if (!workspace.flows) workspace.flows = std::make_shared<SharedFlows>();
-    return integrate_exact(structure, c.drive, start, {c.run.early_ending, workspace.instruction_set},
+    return integrate_exact(structure, watch.drive, start, {c.run.early_ending, workspace.instruction_set},
                            std::move(recorder), std::move(stop), *workspace.flows);
 }
 
@@ -75,13 +76,13 @@ Motion run_any_size(const parameters::Case& c, const model::Structure& structure
     record::Recorder recorder(watch.schedule, watch.request, model::dofs_of(structure),
                               static_cast<int>(structure.contacts.size()), model::channels_of(structure),
                               model::interfaces_of(structure));
-    const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
+    const double velocity = ImposedMotion(watch.drive, 1.0).at(0.0).velocity;
     InitialState start = initial_state(c, structure, velocity);
     start.handover = watch.handover;
     if (c.run.engine == Engine::moreau)
-        return integrate_twice(structure, c.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
+        return integrate_twice(structure, watch.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
                                std::move(recorder), stop);
-    return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), stop);
+    return integrate_taylor(structure, watch.drive, start, {c.run.early_ending}, std::move(recorder), stop);
 }
 
 }  // namespace
@@ -107,6 +108,10 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 }
 
 namespace {
+
+Watch watch_of(const parameters::Case& c, const record::Request& request, Handover* handover = nullptr) {
+    return {parameters::drive_of_run(c), record::schedule(c), request, handover};
+}
 
 // by the engine that the case names
 Motion run_by_engine(const parameters::Case& c, const model::Structure& structure, const Watch& watch,
@@ -151,14 +156,8 @@ void expect_goes_on(const parameters::Case& c, const model::Structure& structure
 }  // namespace
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
-    if (c.drive.phase != 0.0 && c.run.initial != parameters::Initial::given) {
-        // the phase belongs to a given start, and means nothing for another
-        parameters::Case from_its_begin = c;
-        from_its_begin.drive.phase = 0.0;
-        return simulate(from_its_begin, request, std::move(stop), workspace);
-    }
     const model::Structure structure = model::structure_of(c);
-    return told(c, structure, run_by_engine(c, structure, {record::schedule(c), request}, std::move(stop), workspace));
+    return told(c, structure, run_by_engine(c, structure, watch_of(c, request), std::move(stop), workspace));
 }
 
 Motion go_on(const parameters::Case& c, const EndState& from, const record::Request& request, std::stop_token stop) {
@@ -168,8 +167,7 @@ Motion go_on(const parameters::Case& c, const EndState& from, const record::Requ
     later.trace.from = std::max(later.trace.from, from.time);
     Handover handover{&from};
     Workspace workspace;
-    return told(c, structure,
-                run_by_engine(c, structure, {record::schedule(c), later, &handover}, std::move(stop), workspace));
+    return told(c, structure, run_by_engine(c, structure, watch_of(c, later, &handover), std::move(stop), workspace));
 }
 
 Ended run_to_end(const parameters::Case& c, const EndState* from, std::stop_token stop) {
@@ -181,8 +179,7 @@ Ended run_to_end(const parameters::Case& c, const EndState* from, std::stop_toke
     Handover handover{from};
     Workspace workspace;
     const record::Request nothing;
-    const Motion motion =
-        run_by_engine(c, structure, {record::schedule(unseen), nothing, &handover}, std::move(stop), workspace);
+    const Motion motion = run_by_engine(c, structure, watch_of(unseen, nothing, &handover), std::move(stop), workspace);
     handover.to.time = c.run.duration;
     return {motion.outcome, std::move(handover.to)};
 }

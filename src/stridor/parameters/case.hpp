@@ -236,6 +236,13 @@ struct Case {
     const Contact& contact() const { return joints.front().contact; }
 };
 
+/// Returns the drive of a case's run. Its phase belongs to a given start: every other run begins with the drive.
+inline Drive drive_of_run(const Case& c) {
+    Drive drive = c.drive;
+    if (c.run.initial != Initial::given) drive.phase = 0.0;
+    return drive;
+}
+
 /// Has each joint its own keys, "joint.lip2.mass"?
 inline bool has_several_joints(const Case& c) {
     return c.joints.size() > 1;

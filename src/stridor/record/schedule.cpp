@@ -91,15 +91,16 @@ double end_of(const Schedule& schedule) {
 
 Schedule schedule(const Case& c) {
     Schedule plan;
-    if (parameters::has_one_phase(c.drive)) {
+    const parameters::Drive drive = parameters::drive_of_run(c);
+    if (parameters::has_one_phase(drive)) {
         add_constant_drive(plan.spans, c);
         plan.phases = {Phase::all};
         return plan;
     }
-    const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive, c.run.duration);
-    const double turns = parameters::turns_at_start(c.drive);
-    const double begun = turns > 0.0 ? turns / c.drive.frequency : 0.0;
-    const double half_begun = turns > 0.0 ? std::fmod(begun, 0.5 / c.drive.frequency) : 0.0;
+    const parameters::VelocityProfile profile = parameters::velocity_profile(drive, c.run.duration);
+    const double turns = parameters::turns_at_start(drive);
+    const double begun = turns > 0.0 ? turns / drive.frequency : 0.0;
+    const double half_begun = turns > 0.0 ? std::fmod(begun, 0.5 / drive.frequency) : 0.0;
     const std::vector<HalfPeriod> halves = profile.frequency > 0.0
                                                ? harmonic_phases(profile.frequency, begun, c.run.duration)
                                                : cornered_phases(profile.times, profile.velocities, half_begun);

@@ -37,8 +37,8 @@ void put_joints(Case& c, const EndState& state) {
 }  // namespace
 
 Case begun_at(Case c, const EndState& state) {
+    const double periods = parameters::turns_at_start(parameters::drive_of_run(c)) + c.drive.frequency * state.time;
     c.run.initial = parameters::Initial::given;
-    const double periods = parameters::turns_at_start(c.drive) + c.drive.frequency * state.time;
     c.drive.phase = 360.0 * (periods - std::floor(periods));
     if (!c.own_structure) {
         STRIDOR_EXPECT(state.displacement.size() == 2 * c.joints.size() + 1);

@@ -268,9 +268,7 @@ bool starts_still(const VelocityProfile& profile) {
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {
-    Drive from_its_begin = c.drive;
-    from_its_begin.phase = 0.0;  // it belongs to a given start
-    if (c.run.initial == Initial::sliding && starts_still(velocity_profile(from_its_begin)))
+    if (c.run.initial == Initial::sliding && starts_still(velocity_profile(drive_of_run(c))))
         found.push_back({"run.initial",
                          {"run.initial = \"sliding\" has no direction", "the drive stands still at the start",
                           "Start with \"rest\"."}});
