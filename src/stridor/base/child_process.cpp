@@ -174,9 +174,11 @@ bool enter(int channel, const Confines& confines) {
     return keep_descriptors(channel, confines.file) && confine(confines);
 }
 
-[[noreturn]] void work_and_exit(int channel, const std::optional<Confines>& confines, const ChildProcess::Work& work) {
+[[noreturn]] void work_and_exit(int channel, pid_t parent, const std::optional<Confines>& confines,
+                                const ChildProcess::Work& work) {
     // nobody hears what it answers to a process that has ended, and half a work is of no use
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(is_unheard);  // it ended before that was asked for
     if (confines && !enter(channel, *confines)) ::_exit(is_not_confined);
     const ChildProcess::Channel end(confines ? channel_descriptor : channel);
     std::string reason;
@@ -218,11 +220,12 @@ ChildProcess::ChildProcess(const std::optional<Confines>& confines, const Work& 
     };
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw failure(errno);
+    const pid_t parent = ::getpid();
     id_ = ::fork();
     const int code = errno;
     if (id_ == 0) {
         ::close(ends[0]);
-        work_and_exit(ends[1], confines, work);
+        work_and_exit(ends[1], parent, confines, work);
     }
     ::close(ends[1]);
     channel_ = ends[0];
@@ -283,7 +286,8 @@ std::string ChildProcess::finish() {
         return "the process that writes it was ended by signal " + std::to_string(WTERMSIG(status)) +
                ", as by a full disk";
     if (WEXITSTATUS(status) == 0) return "";
-    return WEXITSTATUS(status) == has_thrown ? reason : "the process that writes it ended too early";
+    // what ends a process in the middle of its work, as a library may, says nothing, whatever number it leaves
+    return WEXITSTATUS(status) == has_thrown && !reason.empty() ? reason : "the process that writes it ended too early";
 }
 
 int ChildProcess::wait() {

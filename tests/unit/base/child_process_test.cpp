@@ -211,6 +211,14 @@ TEST(ChildProcess, MayCrash) {
     }
 }
 
+// a library that ends the process says nothing, and its work is not done
+TEST(ChildProcess, IsNotDoneWhereItEndsByItself) {
+    for (int status = 1; status < 5; ++status) {
+        ChildProcess process({}, [status](const Channel&) { ::_exit(status); });
+        EXPECT_EQ(process.finish(), "the process that writes it ended too early") << status;
+    }
+}
+
 TEST(ChildProcess, NoticesThatTheMessageIsCutShort) {
     ChildProcess process({}, [](const Channel& channel) {
         std::array<std::byte, 8> word{};
