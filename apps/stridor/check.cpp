@@ -4,6 +4,7 @@
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ struct CheckOptions {
 void check(const CheckOptions& options) {
     const parameters::Case c = load_case(options.input);
     const integration::Cost cost = integration::cost(c);
-    if (c.run.engine != parameters::Engine::exact && c.run.step > cost.step_limit)
+    if (parameters::engine_of(c) != parameters::Engine::exact && c.run.step > cost.step_limit)
         throw integration::beyond_step_limit(c);
     if (options.json) {
         console::print(io::case_json(c) + "\n");

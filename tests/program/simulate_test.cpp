@@ -91,6 +91,36 @@ TEST(Simulate, GivesNoLevelToAContactThatLocks) {
     EXPECT_EQ(finished.out.find(" dB\n"), std::string::npos) << finished.out;
 }
 
+// a choice left to the program says what was taken; the numbers are those of the engine by its name
+TEST(Simulate, ChoosesAnEngineAndSaysWhich) {
+    const auto named = [](const std::vector<std::string>& sets, const std::string& engine) {
+        std::vector<std::string> arguments{"--set", "run.engine=" + engine, "--set", "run.duration=0.3",
+                                           "--set", "run.window=0.3"};
+        arguments.insert(arguments.end(), sets.begin(), sets.end());
+        return simulated("squeal", arguments);
+    };
+    const json exact = named({}, "auto");
+    EXPECT_EQ(exact["engine"]["name"], "exact");
+    EXPECT_EQ(exact["engine"]["asked"], "auto");
+    EXPECT_EQ(exact["case"]["run"]["engine"], "auto");
+    EXPECT_FALSE(exact["engine"].contains("chosen_since"));
+    EXPECT_EQ(exact["phases"], named({}, "exact")["phases"]);
+
+    const std::vector<std::string> power{"--set", "contact.friction=stribeck",
+                                         "--set", "contact.stribeck_velocity=0.05",
+                                         "--set", "contact.stribeck_exponent=1.5"};
+    const json stepped = named(power, "auto");
+    EXPECT_EQ(stepped["engine"]["name"], "moreau");
+    EXPECT_EQ(stepped["engine"]["chosen_since"], "the exact engine has no power series of this law of friction");
+    EXPECT_EQ(stepped["phases"], named(power, "moreau")["phases"]);
+    // its step may be said, whichever is taken
+    for (const auto& [sets, step] : {std::pair(power, json(2e-6)), std::pair(std::vector<std::string>{}, json())}) {
+        std::vector<std::string> with_step = sets;
+        with_step.insert(with_step.end(), {"--set", "run.step=2e-6"});
+        EXPECT_EQ(named(with_step, "auto")["engine"].value("step", json()), step);
+    }
+}
+
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
     for (const std::string kind :
          {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip", "weatherstrip-shaken",

@@ -160,6 +160,8 @@ export interface Engine {
   name: string;
   impact: string;
   steps: number;
+  asked?: string;
+  chosen_since?: string;
   step?: number;
   beta_2?: number;
   compared_step?: number;

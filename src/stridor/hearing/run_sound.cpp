@@ -6,6 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ std::vector<Stretch> heard_stretches(const Case& c, Direction direction) {
 }
 
 void check_audible(const Case& c, const AuralisationSettings& settings) {
-    if (c.run.engine == parameters::Engine::exact) return;
+    if (parameters::engine_of(c) == parameters::Engine::exact) return;
     // engines sample at their own steps
     const double wanted = 1.0 / (settings.rate * settings.density * c.run.step);
     const double interval = std::max(1.0, std::round(wanted)) * c.run.step;

@@ -3,6 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace stridor::integration {
 
 Error beyond_step_limit(const parameters::Case& c) {
     const double limit = cost(c).step_limit;
-    const bool is_moreau = c.run.engine == parameters::Engine::moreau;
+    const bool is_moreau = parameters::engine_of(c) == parameters::Engine::moreau;
     return {ErrorKind::input,
             {fmt::format("run.step = {} s is beyond the {} {:.4g} s", base::shortest(c.run.step),
                          is_moreau ? "limit" : "stability limit", limit),

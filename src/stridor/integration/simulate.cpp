@@ -59,7 +59,7 @@ Motion run_joint(const parameters::Case& c, const model::Structure& structure, c
     if (c.run.initial == parameters::Initial::given)
         start.given = initial_state(c, structure, ImposedMotion(watch.drive, 1.0).at(0.0).velocity);
     start.handover = watch.handover;
-    if (c.run.engine == Engine::beta_2) {
+    if (parameters::engine_of(c) == Engine::beta_2) {
         const StepRun run = [&](double step, record::Recorder taker) {
             return integrate_beta_2(structure, watch.drive, start, {step, c.run.beta_2}, std::move(taker), stop);
         };
@@ -79,7 +79,7 @@ Motion run_any_size(const parameters::Case& c, const model::Structure& structure
     const double velocity = ImposedMotion(watch.drive, 1.0).at(0.0).velocity;
     InitialState start = initial_state(c, structure, velocity);
     start.handover = watch.handover;
-    if (c.run.engine == Engine::moreau)
+    if (parameters::engine_of(c) == Engine::moreau)
         return integrate_twice(structure, watch.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
                                std::move(recorder), stop);
     return integrate_taylor(structure, watch.drive, start, {c.run.early_ending}, std::move(recorder), stop);
@@ -94,9 +94,10 @@ Cost cost(const parameters::Case& c) {
     };
     if (parameters::is_without_inertia(c)) return {steps, 0.5 * limit_without_inertia()};
     const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
-    if (c.run.engine == Engine::exact)
+    if (parameters::engine_of(c) == Engine::exact)
         return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
-    double limit = c.run.engine == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
+    double limit =
+        parameters::engine_of(c) == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
     const std::size_t formulations = parameters::methods_of(c).size();
     if (formulations > 1) limit = std::min(limit, limit_without_inertia());
     return {steps * static_cast<double>(formulations), 0.5 * limit};
@@ -116,8 +117,8 @@ Watch watch_of(const parameters::Case& c, const record::Request& request, Handov
 // by the engine that the case names
 Motion run_by_engine(const parameters::Case& c, const model::Structure& structure, const Watch& watch,
                      std::stop_token stop, Workspace& workspace) {
-    const bool has_any_size =
-        parameters::has_named_contacts(c) || c.run.engine == Engine::moreau || parameters::is_solved_by_series(c);
+    const bool has_any_size = parameters::has_named_contacts(c) || parameters::engine_of(c) == Engine::moreau ||
+                              parameters::is_solved_by_series(c);
     return has_any_size ? run_any_size(c, structure, watch, stop)
                         : run_joint(c, structure, watch, std::move(stop), workspace);
 }

@@ -142,10 +142,12 @@ struct JointStart {
 
 /// What computes a motion.
 enum class Engine {
-    exact,   // from event to event, without time-discretisation error
-    beta_2,  // the paper's time stepping
-    moreau,  // time stepping for many contacts, compared with itself at twice the step
+    exact,      // from event to event, without time-discretisation error
+    beta_2,     // the paper's time stepping
+    moreau,     // time stepping for many contacts, compared with itself at twice the step
+    automatic,  // exact where it can, else moreau (`engine_of`)
 };
+inline constexpr std::array<std::string_view, 4> engine_names{"exact", "beta_2", "moreau", "auto"};
 
 /// What the moreau engine makes of the inertia at contacts.
 enum class Formulation {

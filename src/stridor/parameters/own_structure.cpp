@@ -5,6 +5,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -42,7 +43,7 @@ std::optional<std::size_t> massless_row(const OwnStructure& structure) {
 }
 
 bool is_without_inertia(const Case& c) {
-    return c.run.engine == Engine::moreau && c.run.formulation == Formulation::massless;
+    return engine_of(c) == Engine::moreau && c.run.formulation == Formulation::massless;
 }
 
 const double* recipe_number(const Case& c, std::string_view key) {

@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 #include "stridor/record/schedule.hpp"
@@ -243,7 +244,7 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
                             const TimeHistoryOptions& options) {
     STRIDOR_EXPECT(!record.trace.time.empty());
     std::vector<Curve> curves;
-    const bool has_peaks = c.run.engine != parameters::Engine::exact &&
+    const bool has_peaks = parameters::engine_of(c) != parameters::Engine::exact &&
                            std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
     for (const ShownSignal signal : shown_of(c, options.signals))
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);

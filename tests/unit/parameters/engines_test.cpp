@@ -50,5 +50,25 @@ TEST(Engines, FollowFromEngineAndFormulation) {
     EXPECT_EQ(methods_of(c), std::vector{Method::beta_2});
 }
 
+TEST(Engines, AreChosenByWhatTheExactOneCannotSolve) {
+    Case c;
+    EXPECT_FALSE(why_not_exact(c));
+    c.run.engine = Engine::automatic;
+    EXPECT_EQ(engine_of(c), Engine::exact);
+    EXPECT_EQ(methods_of(c), std::vector{Method::exact});
+    c.contact().impact = ImpactKind::restitution;
+    EXPECT_EQ(engine_of(c), Engine::exact);
+    c.contact().impact = ImpactKind::plastic;
+    c.contact().friction = FrictionKind::stribeck;
+    EXPECT_EQ(methods_of(c), std::vector{Method::taylor});
+    c.joints.emplace_back();
+    c.joints.back().contact.friction = FrictionKind::stribeck;
+    c.joints.back().contact.stribeck_exponent = 1.5;
+    EXPECT_EQ(engine_of(c), Engine::moreau);
+    EXPECT_EQ(methods_of(c), std::vector{Method::moreau});
+    ASSERT_TRUE(why_not_exact(c));
+    EXPECT_EQ(why_not_exact(c)->what, "the exact engine has no power series of this law of friction");
+}
+
 }  // namespace
 }  // namespace stridor::parameters

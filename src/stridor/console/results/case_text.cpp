@@ -148,10 +148,10 @@ double exact_seconds_per_step(const parameters::Case& c, const model::Structure&
 }
 
 std::string cost_text(const parameters::Case& c, const model::Structure& structure, const integration::Cost& cost) {
-    if (c.run.engine == parameters::Engine::exact)
+    if (parameters::engine_of(c) == parameters::Engine::exact)
         return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
                            cost.steps * exact_seconds_per_step(c, structure));
-    if (c.run.engine == parameters::Engine::moreau) {
+    if (parameters::engine_of(c) == parameters::Engine::moreau) {
         const double size =
             static_cast<double>(model::dofs_of(structure)) * static_cast<double>(structure.contacts.size());
         const double seconds = seconds_per_moreau_step + seconds_per_mode_and_contact * size;

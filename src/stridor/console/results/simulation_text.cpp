@@ -8,6 +8,7 @@
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -60,15 +61,21 @@ std::vector<std::string> verdict_cells(const Verdict& verdict) {
             locks ? "-" : number_or_dash(e.levels.joint.decibels, "{:.1f} dB")};
 }
 
-std::string engine_text(const parameters::Case& c) {
-    if (c.run.engine == parameters::Engine::beta_2)
+std::string solver_text(const parameters::Case& c) {
+    if (parameters::engine_of(c) == parameters::Engine::beta_2)
         return fmt::format("beta_2 = {:g}, step {:g} s, compared with {:g} s", c.run.beta_2, c.run.step,
                            2.0 * c.run.step);
-    if (c.run.engine == parameters::Engine::moreau)
+    if (parameters::engine_of(c) == parameters::Engine::moreau)
         return fmt::format("moreau{}, step {:g} s, compared with {:g} s",
                            parameters::is_without_inertia(c) ? " without inertia at the contacts" : "", c.run.step,
                            2.0 * c.run.step);
     return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
+}
+
+// a case may leave the choice
+std::string engine_text(const parameters::Case& c) {
+    const std::optional<base::Problem> problem = parameters::why_not_exact(c);
+    return solver_text(c) + (problem ? "; chosen, since " + problem->what : "");
 }
 
 // what is known of the rest of a run that ended early

@@ -7,6 +7,7 @@
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <array>
 #include <complex>
@@ -207,7 +208,7 @@ Json simulation_units(const Case& c) {
             units["phases.verdict." + key] = figure.unit;
     }
     units["phases.verdict.margins"] = "1";
-    if (c.run.engine != parameters::Engine::exact)
+    if (parameters::engine_of(c) != parameters::Engine::exact)
         units.update(Json{{"engine.compared_step", "s"},
                           {"phases.verdict.step_change", "1"},
                           {"phases.verdict.judged_step_change", "1"}});
@@ -317,13 +318,17 @@ Json outcome_object(const Case& c, const integration::Motion& motion) {
 
 Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
     const auto text = [&](const char* key) { return parameters::value_text(c, *parameters::find_field(key)); };
-    Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
-    if (c.run.engine == parameters::Engine::beta_2)
+    const std::string_view name = parameters::engine_names[static_cast<std::size_t>(parameters::engine_of(c))];
+    Json object{{"name", name}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
+    if (c.run.engine == parameters::Engine::automatic) object["asked"] = text("run.engine");
+    if (const std::optional<base::Problem> problem = parameters::why_not_exact(c))
+        object["chosen_since"] = problem->what;
+    if (parameters::engine_of(c) == parameters::Engine::beta_2)
         object.update(Json{{"step", c.run.step},
                            {"compared_step", 2.0 * c.run.step},
                            {"beta_2", c.run.beta_2},
                            {"step_limit", cost.step_limit}});
-    if (c.run.engine == parameters::Engine::moreau)
+    if (parameters::engine_of(c) == parameters::Engine::moreau)
         object.update(Json{{"step", c.run.step},
                            {"compared_step", 2.0 * c.run.step},
                            {"step_limit", cost.step_limit},

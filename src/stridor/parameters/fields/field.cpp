@@ -26,7 +26,6 @@ constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"}
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 4> initial_names{"rest", "stuck", "sliding", "given"};
 constexpr std::array<std::string_view, 4> contact_start_names{"by-motion", "stick", "slip", "separation"};
-constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
 constexpr std::array<std::string_view, 3> formulation_names{"standard", "massless", "both"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 

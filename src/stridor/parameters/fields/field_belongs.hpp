@@ -85,6 +85,7 @@ inline bool has_stribeck_curve(CaseView at) {
 inline bool rebounds(CaseView at) {
     return at.own().contact.impact == ImpactKind::restitution;
 }
+// a choice that is left to the program may fall on steps
 inline bool has_steps(CaseView at) {
     return at.c.run.engine != Engine::exact;
 }
@@ -92,7 +93,7 @@ inline bool has_beta_2(CaseView at) {
     return at.c.run.engine == Engine::beta_2;
 }
 inline bool has_formulation(CaseView at) {
-    return at.c.run.engine == Engine::moreau;
+    return at.c.run.engine == Engine::moreau || at.c.run.engine == Engine::automatic;
 }
 inline bool is_massless(CaseView at) {
     return has_formulation(at) && at.c.run.formulation != Formulation::standard;

@@ -115,7 +115,7 @@ bool is_same(const Finding& a, const Finding& b) {
 // what the engine of a case cannot solve, by the table of engines; two methods may refuse in the same words
 void find_unsolvable(CaseView at, std::vector<Finding>& found) {
     std::vector<Finding> refused;
-    const std::string engine = value_text(at, *find_field("run.engine"));
+    const std::string_view engine = engine_names[static_cast<std::size_t>(engine_of(at.c))];
     for (const Method method : methods_of(at.c))
         for (const Asked& asked : demands_of(at)) {
             const std::optional<base::Problem> problem = refusal(method, asked, engine);
@@ -278,7 +278,7 @@ void check_run(const Case& c, std::vector<Finding>& found) {
                               " s is longer than run.duration = " + shortest(c.run.duration) + " s",
                           "the window is the last part of the simulated time", "Make it at most the duration."},
                          {"run.duration"}});
-    if (c.run.engine == Engine::exact) return;
+    if (engine_of(c) == Engine::exact) return;
     if (c.run.step > c.run.duration)
         found.push_back(
             {"run.step",

@@ -107,6 +107,11 @@ bool has_series(const Contact& contact) {
     return !is_regularised(contact.friction);
 }
 
+// beyond the paper's joint, and where friction changes with the slip velocity
+bool needs_series(const Case& c) {
+    return c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction);
+}
+
 }  // namespace
 
 std::optional<base::Problem> refusal(Method method, const Asked& asked, std::string_view name) {
@@ -119,18 +124,32 @@ std::optional<base::Problem> refusal(Method method, const Asked& asked, std::str
     return std::nullopt;
 }
 
+std::optional<base::Problem> why_not_exact(const Case& c) {
+    if (c.run.engine != Engine::automatic) return std::nullopt;
+    const Method method = needs_series(c) ? Method::taylor : Method::exact;
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint)
+        for (const Asked& asked : demands_of({c, joint}))
+            if (std::optional<base::Problem> problem = refusal(method, asked, "exact")) return problem;
+    return std::nullopt;
+}
+
+Engine engine_of(const Case& c) {
+    if (c.run.engine != Engine::automatic) return c.run.engine;
+    return why_not_exact(c) ? Engine::moreau : Engine::exact;
+}
+
 bool is_solved_by_series(const Case& c) {
-    return c.run.engine == Engine::exact &&
-           (c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction));
+    return engine_of(c) == Engine::exact && needs_series(c);
 }
 
 std::vector<Method> methods_of(const Case& c) {
-    switch (c.run.engine) {
+    switch (engine_of(c)) {
         case Engine::exact:
             return {is_solved_by_series(c) ? Method::taylor : Method::exact};
         case Engine::beta_2:
             return {Method::beta_2};
         case Engine::moreau:
+        case Engine::automatic:
             break;
     }
     if (c.run.formulation == Formulation::standard) return {Method::moreau};

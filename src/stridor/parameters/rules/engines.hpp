@@ -47,6 +47,14 @@ inline constexpr std::array<std::string_view, 11> demand_names{
     "the joint on a plate",
 };
 
+/// Returns the engine that computes a case: the one that it names. Where it leaves the choice (`Engine::automatic`),
+/// the exact one, or moreau where that cannot solve it.
+Engine engine_of(const Case& c);
+
+/// Returns why the exact engine cannot solve a case that leaves the choice of its engine, so that moreau does. Nothing
+/// where it can, or where the case names an engine.
+std::optional<base::Problem> why_not_exact(const Case& c);
+
 /// Does the exact engine go from event to event by Taylor series?
 bool is_solved_by_series(const Case& c);
 

@@ -16,6 +16,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/friction_keys.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ Named fastest_rate(CaseView at, double friction) {
 
 void find_fast(CaseView at, std::vector<Finding>& found) {
     const Case& c = at.c;
-    if (c.run.engine != Engine::exact) return;  // the others have their step
+    if (engine_of(c) != Engine::exact) return;  // the others have their step
     Named friction{friction_keys.front().kinetic};
     for (const FrictionKeys& keys : friction_keys) {
         const Field& field = *find_field(keys.kinetic);
