@@ -49,10 +49,11 @@ double position(const Case& c, const record::Trace& trace, std::size_t sample) {
     return sum;
 }
 
-// position of the surface, of a drive with a frequency
+// position of the surface at the first contact, of a drive with a frequency
 double surface_position(const Case& c, double time) {
     const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
-    return profile.amplitude * base::sine_cosine_of_turns(profile.frequency * time).sine;
+    return c.own_structure->contacts.front().drive_share * profile.amplitude *
+           base::sine_cosine_of_turns(profile.frequency * time).sine;
 }
 
 double number_in(std::string_view text) {
@@ -165,10 +166,10 @@ double slip_at(const Case& c, std::string_view about) {
 
 double slip_velocity_at(const Case& c, std::string_view about) {
     const record::Trace trace = sample_at(c, number_in(about));
-    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
-    double sum = -trace.surface_velocity.at(0);
-    for (std::size_t row = 0; row < tangent.size(); ++row)
-        sum += tangent[row] * trace.velocity[row].at(0);
+    const parameters::OwnContact& contact = c.own_structure->contacts.front();
+    double sum = -contact.drive_share * trace.surface_velocity.at(0);
+    for (std::size_t row = 0; row < contact.tangent.size(); ++row)
+        sum += contact.tangent[row] * trace.velocity[row].at(0);
     return sum;
 }
 
