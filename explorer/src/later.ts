@@ -4,7 +4,9 @@
  */
 import type { Start } from "./data/types.ts";
 import type { Store } from "./state/store.ts";
+import style from "./style/later.css" with { type: "text" };
 import { Energy } from "./views/energy.ts";
+import { Friction } from "./views/friction.ts";
 import { Help } from "./views/help.ts";
 import { LibraryView } from "./views/library.ts";
 import { Listen } from "./views/listen.ts";
@@ -16,11 +18,16 @@ import { Share } from "./views/share.ts";
 import { Tour } from "./views/tour.ts";
 import type { LaterParts } from "./views/views.ts";
 
+const sheet = new CSSStyleSheet();
+sheet.replaceSync(style);
+document.adoptedStyleSheets.push(sheet);
+
 export function viewsOf(store: Store, start: Start): LaterParts {
   return {
     spectra: new Spectra(),
     modes: new Modes(start),
     energy: new Energy(),
+    friction: new Friction(store),
     listen: new Listen(store, start),
     quiet: new Quiet(store, start),
     library: new LibraryView(store),
@@ -39,15 +46,15 @@ export function tour(store: Store): Tour {
   return made;
 }
 
-let sheet: Help | null = null;
+let keys: Help | null = null;
 
 /** Opens or closes the sheet of keys. */
 export function help({ presets }: Start): void {
-  if (!sheet) {
-    sheet = new Help(presets.map(({ name }) => name));
-    document.body.append(sheet.element);
+  if (!keys) {
+    keys = new Help(presets.map(({ name }) => name));
+    document.body.append(keys.element);
   }
-  sheet.toggle();
+  keys.toggle();
 }
 export { beginAt } from "./views/own_start.ts";
 export { paintStructure } from "./draw/structure_drawing.ts";

@@ -30,6 +30,30 @@ export interface Stability extends Document {
   units: Units;
 }
 
+/** A point of a law's curve that may be moved, up and down or along the speed. It sets origin + rate · where it is. */
+export interface Grip {
+  key: string;
+  speed: number;
+  friction: number;
+  along: "speed" | "friction";
+  low: number;
+  high: number | null;
+  origin: number;
+  rate: number;
+  way: string;
+}
+
+/** A law of friction over the speed of slip [m/s]: friction over normal force, each way where they differ. */
+export interface FrictionLaw {
+  friction: string;
+  speeds: number[];
+  curves: { way: string; limit: number; friction: number[] }[];
+  grips: Grip[];
+  /** Of a table as measured: points that may be moved both ways. */
+  rows: { speed: number; friction: number }[];
+  visited: { from: number; to: number } | null;
+}
+
 /** Level over time and frequency: a row per moment, in base64 of floats. */
 export interface LevelMap {
   time: number[];

@@ -5,6 +5,7 @@ import type {
   Advice,
   DesignAnswer,
   Analysis,
+  FrictionLaw,
   Library,
   ModalLines,
   Refusal,
@@ -133,6 +134,11 @@ export function stability(
   signal?: AbortSignal,
 ): Promise<Stability> {
   return json(post("/api/stability", { ...body(design), ...(over ? { over } : {}) }, signal));
+}
+
+/** The law of friction with the speeds between which the case slips; without, and up to `reach`, where that is given. */
+export function friction(design: Design, reach: number | null, signal?: AbortSignal): Promise<FrictionLaw> {
+  return json(post("/api/friction", { ...body(design), ...(reach === null ? { visited: true } : { reach }) }, signal));
 }
 
 export async function sound(design: Design, options: SoundOptions, signal?: AbortSignal): Promise<Blob> {

@@ -26,6 +26,7 @@ export const viewTitles = {
   spectra: "Spectra",
   modes: "Modes",
   energy: "Energy and verdict",
+  friction: "Friction",
   listen: "Listen",
   quiet: "Keep quiet",
   library: "Library",

@@ -306,6 +306,38 @@ test("a spectrum has a logarithmic axis, and its peaks are told", async () => {
   assert.ok((await ratio()) < 0.9);
 });
 
+test("the law of friction is drawn, and a point of it goes with the hand and with the arrow keys", async () => {
+  await choose("squeal");
+  await page.locator("#tab-friction").click();
+  await page.waitForSelector("#friction-readout:not(:empty)");
+  assert.match(await page.locator("#friction-readout").innerText(), /sticks\sup\sto\s0\.8.+slips\sat\s0\sm\/s\sto/);
+  const grip = page.locator('.grip[title="kinetic friction"]');
+  const field = page.locator('[data-field="contact.kinetic_friction"]');
+  const before = parseFloat(await field.inputValue());
+  const { x, y, width, height } = await grip.boundingBox();
+  const [across, down] = [x + width / 2, y + height / 2];
+  await page.mouse.move(across, down);
+  await page.mouse.down();
+  await page.mouse.move(across, down + 30, { steps: 5 });
+  await page.mouse.up();
+  await settled();
+  const dragged = parseFloat(await field.inputValue());
+  assert.ok(dragged < before - 0.05, `${before} -> ${dragged}`);
+  await page.waitForFunction(
+    (there) =>
+      Math.abs(document.querySelector('.grip[title="kinetic friction"]').getBoundingClientRect().y - there) < 2,
+    y + 30,
+  );
+  await grip.press("ArrowUp");
+  await settled();
+  assert.ok(parseFloat(await field.inputValue()) > dragged);
+  await page.goBack();
+  await page.goBack();
+  await settled();
+  assert.equal(parseFloat(await field.inputValue()), before);
+  await page.locator("#tab-response").click();
+});
+
 test("on a phone verdict and chart stay in sight while a slider moves, and a finger hits what it aims at", async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   try {

@@ -20,21 +20,24 @@ const text = execFileSync(program, ["init", "string"], { encoding: "utf8" });
 const short = text.replace(/^duration = .*$/m, 'duration = "0.5 s"').replace(/^window = .*$/m, 'window = "0.4 s"');
 await writeFile(string, short + chart);
 
-for (const [name, colorScheme, tab, files] of [
+const stribeck = "#preset=squeal&contact.friction=stribeck&contact.stribeck_velocity=0.05&contact.viscous_friction=0.4";
+const small = "x=contact.preload:1:80:8:linear&y=contact.stribeck_velocity:0.005:0.5:8:log";
+
+for (const [name, colorScheme, tab, files, fragment] of [
   ["explorer", "light", "response", []],
   ["explorer-quiet", "dark", "quiet", []],
+  ["explorer-friction", "light", "friction", [], `${stribeck}&${small}`],
   ["explorer-string", "light", "response", [string]],
 ]) {
   if (process.argv[3] && process.argv[3] !== name) continue;
   const explorer = await startExplorer(files);
   const browser = await openPage(explorer, { colorScheme });
   const { page } = browser;
-  await browser.goto();
+  await browser.goto(fragment);
   await page.waitForSelector('#chart[data-done="true"]', { timeout: 120000 });
   await page.locator(`#tab-${tab}`).click();
-  await page.waitForSelector(tab === "quiet" ? "#apply-change" : '.response[data-draws]:not([data-draws="0"])', {
-    timeout: 60000,
-  });
+  const drawn = { quiet: "#apply-change", friction: ".grip" };
+  await page.waitForSelector(drawn[tab] ?? '.response[data-draws]:not([data-draws="0"])', { timeout: 60000 });
   await page.waitForTimeout(2000); // fine samples and the last paint
   await page.screenshot({ path: join(folder, `${name}.png`) });
   await browser.close();

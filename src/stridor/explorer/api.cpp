@@ -25,11 +25,11 @@ struct Route {
 };
 
 constexpr std::array routes{
-    Route{"/api/simulate", simulate}, Route{"/api/motion", motion}, Route{"/api/stability", stability},
-    Route{"/api/toml", toml},         Route{"/api/chart", chart},   Route{"/api/sound", sound},
-    Route{"/api/analysis", analysis}, Route{"/api/advice", advice}, Route{"/api/design", design},
-    Route{"/api/report", report},     Route{"/api/value", value},   Route{"/api/share", share},
-    Route{"/api/modal", modal_lines},
+    Route{"/api/simulate", simulate}, Route{"/api/motion", motion},     Route{"/api/stability", stability},
+    Route{"/api/toml", toml},         Route{"/api/chart", chart},       Route{"/api/sound", sound},
+    Route{"/api/analysis", analysis}, Route{"/api/advice", advice},     Route{"/api/design", design},
+    Route{"/api/report", report},     Route{"/api/value", value},       Route{"/api/share", share},
+    Route{"/api/modal", modal_lines}, Route{"/api/friction", friction},
 };
 
 int status_of(ErrorKind kind) {

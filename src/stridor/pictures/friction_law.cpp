@@ -77,7 +77,7 @@ void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
 }
 
 // contacts of an own structure may have coefficients of their own
-parameters::Contact one_law(const parameters::Case& c) {
+parameters::Contact one_law_of_contacts(const parameters::Case& c) {
     const parameters::Contact first = parameters::contact_of(c, 0);
     for (std::size_t contact = 1; contact < parameters::contact_count(c); ++contact) {
         const parameters::Contact other = parameters::contact_of(c, contact);
@@ -91,20 +91,31 @@ parameters::Contact one_law(const parameters::Case& c) {
 
 }  // namespace
 
+LawCurve law_curve(const parameters::Contact& contact, std::optional<drawing::Extent> visited) {
+    const model::FrictionLaw law = model::friction_law(contact);
+    double edge = edge_of(contact);
+    if (visited) edge = std::max({edge, 1.1 * visited->to, -1.1 * visited->from});
+    LawCurve curve;
+    const std::size_t points = is_state_wise(law) ? 2 : curve_points;
+    for (std::size_t k = 0; k < points; ++k)
+        curve.speeds.push_back(edge * static_cast<double>(k) / static_cast<double>(points - 1));
+    for (const model::Slip way : model::slips) {
+        const double sign = way == model::Slip::forward ? 1.0 : -1.0;
+        curve.limits[index_of(way)] = stick_limit(law, way);
+        for (const double speed : curve.speeds)
+            curve.resistances[index_of(way)].push_back(-sign * slip_ratio(law, way, sign * speed));
+    }
+    return curve;
+}
+
 drawing::Scene friction_law(const parameters::Contact& contact, std::optional<drawing::Extent> visited) {
     const model::FrictionLaw law = model::friction_law(contact);
     const bool is_the_same = contact.friction != parameters::FrictionKind::directional;
-    double edge = edge_of(contact);
-    if (visited) edge = std::max({edge, 1.1 * visited->to, -1.1 * visited->from});
+    const LawCurve curve = law_curve(contact, visited);
+    const double edge = curve.speeds.back();
     const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
-        LawBranch drawn{sign, stick_limit(law, way), {}, {}, limit, sliding};
-        const std::size_t points = is_state_wise(law) ? 2 : curve_points;
-        for (std::size_t k = 0; k < points; ++k) {
-            const double speed = edge * static_cast<double>(k) / static_cast<double>(points - 1);
-            drawn.speeds.push_back(speed);
-            drawn.sliding.push_back(sign * slip_ratio(law, way, -sign * speed));
-        }
-        return drawn;
+        return LawBranch{sign,   curve.limits[index_of(way)], curve.speeds, curve.resistances[index_of(way)], limit,
+                         sliding};
     };
     // a continuous curve begins with mu_s
     const bool begins_with_limit = stick_limit(law, model::Slip::backward) == slip_ratio(law, model::Slip::backward);
@@ -159,7 +170,7 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     return scene;
 }
 
-drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing::Extent> visited) {
+parameters::Contact one_law(const parameters::Case& c) {
     for (const parameters::Field& field : parameters::fields()) {
         const bool is_of_law = field.section == "contact" && field.name != "preload" && field.name != "impact" &&
                                field.name != "restitution";
@@ -168,6 +179,10 @@ drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing:
             base::refuse("the joints differ: " + key + " = " + parameters::value_text(c, key),
                          "this is the picture of one law of friction", "");
     }
+    return one_law_of_contacts(c);
+}
+
+drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing::Extent> visited) {
     return friction_law(one_law(c), visited);
 }
 
