@@ -9,7 +9,7 @@ import { gzipSync } from "node:zlib";
 // bytes, gzip
 const parts = [
   { name: "first load", budget: 43_000, files: ["index.html", "page.js", "chunk.js", "page.css"] },
-  { name: "later", budget: 45_000, files: ["later.js"] },
+  { name: "later", budget: 46_000, files: ["later.js"] },
 ];
 const here = dirname(fileURLToPath(import.meta.url));
 const out = process.argv[2] ?? join(here, "dist");

@@ -123,7 +123,15 @@ export function number(text: string): number | null {
   return /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : null;
 }
 
-const greek: Record<string, string> = { mu: "μ", alpha: "α", beta: "β", theta: "θ", lambda: "λ", omega: "ω" };
+const greek: Record<string, string> = {
+  mu: "μ",
+  alpha: "α",
+  beta: "β",
+  delta: "δ",
+  theta: "θ",
+  lambda: "λ",
+  omega: "ω",
+};
 
 /** "mu_d" as a letter and what stands below it: ["μ", "d"]. */
 export function symbolParts(symbol: string): [string, string] {
