@@ -77,6 +77,7 @@ class Contact(Section):
     interpolation: Word
     static_friction_coming: Quantity
     kinetic_friction_coming: Quantity
+    regularisation: Quantity
     impact: Word
     restitution: Quantity
     initial_state: Word
@@ -124,6 +125,7 @@ class Verdict(Section):
     least_intervals: Quantity
     lock_force: Quantity
     least_distance: Quantity
+    creeping: Word
     def __getitem__(self, name: str) -> Verdict: ...
 
 class Figures:

@@ -200,16 +200,19 @@ INSTANTIATE_TEST_SUITE_P(Linear, FrictionContract,
 
 INSTANTIATE_TEST_SUITE_P(
     Stribeck, FrictionContract,
-    testing::Values(FrictionUnderTest{"exponential", model::Stribeck{{0.8, 0.6, 0.05, 1.0, 0.0}}},
-                    FrictionUnderTest{"gaussian", model::Stribeck{{0.8, 0.2, 0.1, 2.0, 0.0}}},
-                    FrictionUnderTest{"of_another_power", model::Stribeck{{0.8, 0.2, 0.1, 3.5, 0.0}}},
-                    FrictionUnderTest{"viscous", model::Stribeck{{0.5, 0.3, 0.05, 1.0, 0.01}}, 0.01}),
+    testing::Values(FrictionUnderTest{"exponential", model::Stribeck{0.8, 0.6, 0.05, 1.0, 0.0}},
+                    FrictionUnderTest{"gaussian", model::Stribeck{0.8, 0.2, 0.1, 2.0, 0.0}},
+                    FrictionUnderTest{"of_another_power", model::Stribeck{0.8, 0.2, 0.1, 3.5, 0.0}},
+                    FrictionUnderTest{"viscous", model::Stribeck{0.5, 0.3, 0.05, 1.0, 0.01}, 0.01}),
     testing::PrintToStringParamName());
 
 INSTANTIATE_TEST_SUITE_P(
     RationalStribeck, FrictionContract,
-    testing::Values(FrictionUnderTest{"of_leine", model::RationalStribeck{{1.0, 0.0, 1.0 / 3.0, 1.0, 0.0}}},
-                    FrictionUnderTest{"of_hess_and_soom", model::RationalStribeck{{0.5, 0.3, 0.1, 2.0, 0.02}}, 0.02}),
+    testing::Values(FrictionUnderTest{"of_leine", model::Stribeck{1.0, 0.0, 1.0 / 3.0, 1.0, 0.0,
+                                                                  parameters::FrictionKind::stribeck_rational}},
+                    FrictionUnderTest{
+                        "of_hess_and_soom",
+                        model::Stribeck{0.5, 0.3, 0.1, 2.0, 0.02, parameters::FrictionKind::stribeck_rational}, 0.02}),
     testing::PrintToStringParamName());
 
 model::FrictionLaw measured(parameters::Interpolation interpolation) {
@@ -220,6 +223,13 @@ model::FrictionLaw measured(parameters::Interpolation interpolation) {
     contact.interpolation = interpolation;
     return model::friction_law(contact);
 }
+
+// wide steps, so that the slopes of this suite resolve them
+INSTANTIATE_TEST_SUITE_P(
+    Regularised, FrictionContract,
+    testing::Values(FrictionUnderTest{"tanh", model::Regularised{0.5, 0.1}, 5.0},
+                    FrictionUnderTest{"arctan", model::Regularised{0.5, 0.1, parameters::FrictionKind::arctan}, 5.0}),
+    testing::PrintToStringParamName());
 
 INSTANTIATE_TEST_SUITE_P(Table, FrictionContract,
                          testing::Values(FrictionUnderTest{"cubic", measured(parameters::Interpolation::cubic)},

@@ -217,16 +217,17 @@ WildStructure with_changing_friction(WildStructure wild, std::uint64_t number) {
     const double velocity = shares[number / 4 % shares.size()] * (fastest > 0.0 ? fastest : 1e-3);
     for (model::ContactPoint& contact : wild.structure.contacts) {
         const auto [mu_s, mu_d] = std::get<model::Coulomb>(contact.friction);
-        const model::StribeckCurve curve{mu_s, mu_d, velocity, number % 8 < 4 ? 1.0 : 2.0, 0.0};
+        model::Stribeck curve{mu_s, mu_d, velocity, number % 8 < 4 ? 1.0 : 2.0, 0.0};
         switch (number % 4) {
             case 0:
                 contact.friction = model::Linear{mu_s, mu_d, mu_d / velocity};
                 break;
             case 1:
-                contact.friction = model::RationalStribeck{curve};
+                curve.kind = parameters::FrictionKind::stribeck_rational;
+                contact.friction = curve;
                 break;
             default:
-                contact.friction = model::Stribeck{curve};
+                contact.friction = curve;
         }
     }
     return wild;

@@ -28,7 +28,7 @@ constexpr double published = 0.286220088;                                   // [
 model::Structure wiper(double mass, double frequency, double viscous = 0.0) {
     const double omega = base::two_pi * frequency;
     model::Structure structure = model::mass_on_belt({mass, mass * omega * omega, dashpot, preload, {}});
-    structure.contacts[0].friction = model::Stribeck{{1.0, 1.0 - fall, stribeck, 1.0, viscous}};
+    structure.contacts[0].friction = model::Stribeck{1.0, 1.0 - fall, stribeck, 1.0, viscous};
     return structure;
 }
 

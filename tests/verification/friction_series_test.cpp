@@ -34,7 +34,8 @@ struct LawOnBelt {
 };
 
 // k = m = F_s = 1, F = -F_s sgn(w)/(1 + 3 |w|): R. I. Leine and others 1998
-const model::FrictionLaw leine = model::RationalStribeck{{1.0, 0.0, 1.0 / 3.0, 1.0, 0.0}};
+const model::FrictionLaw leine =
+    model::Stribeck{1.0, 0.0, 1.0 / 3.0, 1.0, 0.0, parameters::FrictionKind::stribeck_rational};
 
 const std::vector<double> rows{0.0, 0.05, 0.2, 0.6, 1.5};  // [m/s]
 
@@ -49,10 +50,14 @@ std::vector<LawOnBelt> laws_on_belts() {
         {"linear", {1.0, 1.0, 0.0, 1.0, {}}, model::Linear{1.0, 0.9, 0.5}, 0.2, 60.0},
         {"linear, stiff and damped", {2.0, 3e5, 5.0, 80.0, {}}, model::Linear{0.8, 0.8, 1.5}, 0.05, 0.15},
         {"Leine's block", {1.0, 1.0, 0.0, 1.0, {}}, leine, 0.2, 60.0},
-        {"Stribeck, exponential", {1.0, 1.0, 0.0, 1.0, {}}, model::Stribeck{{0.9, 0.4, 0.15, 1.0, 0.02}}, 0.1, 60.0},
-        {"Stribeck, Gaussian", {2.0, 3e5, 5.0, 80.0, {}}, model::Stribeck{{0.8, 0.5, 0.04, 2.0, 0.0}}, 0.05, 0.15},
-        {"Stribeck, third power", {1.0, 1.0, 0.0, 1.0, {}}, model::Stribeck{{0.9, 0.4, 0.3, 3.0, 0.0}}, 0.1, 60.0},
-        {"rational, square", {1.0, 1.0, 0.01, 1.0, {}}, model::RationalStribeck{{0.8, 0.3, 0.2, 2.0, 0.05}}, 0.1, 60.0},
+        {"Stribeck, exponential", {1.0, 1.0, 0.0, 1.0, {}}, model::Stribeck{0.9, 0.4, 0.15, 1.0, 0.02}, 0.1, 60.0},
+        {"Stribeck, Gaussian", {2.0, 3e5, 5.0, 80.0, {}}, model::Stribeck{0.8, 0.5, 0.04, 2.0, 0.0}, 0.05, 0.15},
+        {"Stribeck, third power", {1.0, 1.0, 0.0, 1.0, {}}, model::Stribeck{0.9, 0.4, 0.3, 3.0, 0.0}, 0.1, 60.0},
+        {"rational, square",
+         {1.0, 1.0, 0.01, 1.0, {}},
+         model::Stribeck{0.8, 0.3, 0.2, 2.0, 0.05, parameters::FrictionKind::stribeck_rational},
+         0.1,
+         60.0},
         {"measured, cubic", {1.0, 1.0, 0.0, 1.0, {}}, measured(parameters::Interpolation::cubic), 0.1, 60.0, rows},
         {"measured from 0.03 m/s on",
          {1.0, 1.0, 0.0, 1.0, {}},
@@ -158,8 +163,8 @@ TEST(FrictionSeries, MovesLeinesBlockAsPublished) {
 
 TEST(FrictionSeries, RefusesALawWithoutASeriesByName) {
     LawOnBelt given = laws_on_belts().front();
-    for (const model::FrictionLaw& law : {model::FrictionLaw(model::Stribeck{{0.9, 0.4, 0.3, 1.5, 0.0}}),
-                                          model::FrictionLaw(model::Tanh{{0.5, 1e-3}})}) {
+    for (const model::FrictionLaw& law : {model::FrictionLaw(model::Stribeck{0.9, 0.4, 0.3, 1.5, 0.0}),
+                                          model::FrictionLaw(model::Regularised{0.5, 1e-3})}) {
         given.law = law;
         EXPECT_TRUE(support::thrown_by([&] {
                         moved(given);

@@ -151,6 +151,7 @@ Evidence evidence(const record::Tally& tally, std::size_t contact) {
     figures.all_releases = one.releases;
     figures.ending = one.ending;
     figures.preload = one.preload;
+    figures.creeps = one.creeps;
     figures.largest_force = one.load.largest_force;
     if (one.coarser) {
         figures.step_change = change(rates(one.coarser->time), figures.rates);

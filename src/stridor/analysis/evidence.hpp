@@ -72,6 +72,7 @@ struct Evidence {
     std::optional<Rates> step_change{};         // whole window
     std::optional<Rates> judged_step_change{};  // judged part
     std::optional<Alternation> coarser{};       // judged part, at twice the time step
+    bool creeps = false;                        // its friction is regularised: it creeps where it should stick
     Levels levels;  // of the bodies, judged part; of a contact that slides or sticks for ever its closing part
 };
 

@@ -286,6 +286,10 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
 
     if (!(evidence.judged_time > 0.0))
         return decide({Category::undecided, Quiet::no, "no complete phase lies in the window"});
+    if (evidence.creeps && thresholds.creeping == parameters::Creeping::undecided)
+        return decide({Category::undecided, Quiet::no,
+                       "its friction is regularised: it creeps where it should stick, so its states say nothing of a "
+                       "rubbing contact; verdict.creeping = \"judged\" judges them all the same"});
     if (const std::optional<Decision> over = settled(evidence, thresholds)) return decide(*over);
     const bool grows = !std::isnan(evidence.ending.outlook.growth);
     if (grows && rates.slip >= 1.0) return decide(growing(evidence.ending.outlook));

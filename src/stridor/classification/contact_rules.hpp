@@ -16,6 +16,8 @@ enum class Creak { possible, impossible };
 /// Returns the category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this
 /// order:
 ///
+///     friction is regularised                    undecided, unless `creeping` asks for a verdict: a contact that
+///                                                        creeps has no stick
 ///     proven to stick for ever, or to slide      none    whatever came before does not come again; what sticks and is
 ///                                                        pressed harder and harder locks (interface_rules.hpp)
 ///     slip share >= quiet_slip                   none    it slides: nothing alternates. Where such sliding grows:

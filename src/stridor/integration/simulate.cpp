@@ -27,6 +27,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace stridor::integration {
 
@@ -36,11 +37,14 @@ using parameters::Engine;
 
 constexpr double same_time = 1e-9;  // [1] of a time: rounding of a sum of times
 
-// what the contacts carry at rest belongs to what is known of them
-void tell_preloads(const model::Structure& structure, std::vector<record::Tally>& phases) {
+// what the contacts carry at rest, and whether they creep, belongs to what is known of them
+void tell_contacts(const model::Structure& structure, std::vector<record::Tally>& phases) {
     for (record::Tally& phase : phases)
-        for (std::size_t k = 0; k < structure.contacts.size(); ++k)
-            phase.contacts[k].preload = structure.contacts[k].preload;
+        for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+            const model::ContactPoint& contact = structure.contacts[k];
+            phase.contacts[k].preload = contact.preload;
+            phase.contacts[k].creeps = std::holds_alternative<model::Regularised>(contact.friction);
+        }
 }
 
 // what is wanted of a run
@@ -125,8 +129,8 @@ Motion run_by_engine(const parameters::Case& c, const model::Structure& structur
 
 // adds to a motion what follows from its structure
 Motion told(const parameters::Case& c, const model::Structure& structure, Motion motion) {
-    tell_preloads(structure, motion.record.phases);
-    if (motion.massless) tell_preloads(structure, motion.massless->phases);
+    tell_contacts(structure, motion.record.phases);
+    if (motion.massless) tell_contacts(structure, motion.massless->phases);
     if (!has_result(motion.outcome) || !parameters::is_steady(c.drive)) return motion;
     const SteadyRun run{.surface_velocity = parameters::velocity_profile(c.drive).velocity,
                         .end = c.run.duration,

@@ -12,17 +12,13 @@ namespace stridor::model {
 namespace {
 
 // (|w|/v_s)^delta
-double speed_power(const StribeckCurve& curve, double speed) {
-    return base::power(speed / curve.velocity, curve.exponent);
+double speed_power(const Stribeck& law, double speed) {
+    return base::power(speed / law.velocity, law.exponent);
 }
 
 // [s/m] its slope over |w|
-double power_slope(const StribeckCurve& curve, double speed) {
-    return curve.exponent * base::power(speed / curve.velocity, curve.exponent - 1.0) / curve.velocity;
-}
-
-double falling(const StribeckCurve& curve) {
-    return curve.static_coefficient - curve.kinetic_coefficient;
+double power_slope(const Stribeck& law, double speed) {
+    return law.exponent * base::power(speed / law.velocity, law.exponent - 1.0) / law.velocity;
 }
 
 // [s/m] of the cubic at the first or last row: that of the parabola through three rows, held to the monotone ones
@@ -65,23 +61,15 @@ SlopeRange range_of(const MeasuredCurve& curve) {
 }  // namespace
 
 double Stribeck::resistance(Slip, double speed) const {
-    const double lost = 1.0 - base::exponential(-speed_power(curve, speed));
-    return curve.static_coefficient - falling(curve) * lost + curve.viscous * speed;
+    const double x = speed_power(*this, speed);
+    const double lost = is_exponential() ? 1.0 - base::exponential(-x) : x / (1.0 + x);
+    return static_coefficient - fall() * lost + viscous * speed;
 }
 
 double Stribeck::resistance_slope(Slip, double speed) const {
-    const double left = base::exponential(-speed_power(curve, speed));
-    return curve.viscous - falling(curve) * power_slope(curve, speed) * left;
-}
-
-double RationalStribeck::resistance(Slip, double speed) const {
-    const double power = speed_power(curve, speed);
-    return curve.static_coefficient - falling(curve) * (power / (1.0 + power)) + curve.viscous * speed;
-}
-
-double RationalStribeck::resistance_slope(Slip, double speed) const {
-    const double whole = 1.0 + speed_power(curve, speed);
-    return curve.viscous - falling(curve) * (power_slope(curve, speed) / whole) / whole;
+    const double x = speed_power(*this, speed), slope = power_slope(*this, speed);
+    if (is_exponential()) return viscous - fall() * slope * base::exponential(-x);
+    return viscous - fall() * (slope / (1.0 + x)) / (1.0 + x);
 }
 
 MeasuredCurve measured_curve(const std::vector<double>& speeds, const std::vector<double>& coefficients,
@@ -132,24 +120,21 @@ double Measured::resistance_slope(Slip, double speed) const {
     return secant + from * (1.0 - x) * (1.0 - 3.0 * x) + to * x * (3.0 * x - 2.0);
 }
 
-double Tanh::resistance(Slip, double speed) const {
+double Regularised::resistance(Slip, double speed) const {
+    if (kind == parameters::FrictionKind::arctan)
+        return coefficient * (2.0 * std::numbers::inv_pi) * base::arctangent(speed / velocity);
     // 1 - tanh x = 2/(exp(2 x) + 1)
-    const double fading = base::exponential(-2.0 * speed / step.velocity);
-    return step.coefficient * ((1.0 - fading) / (1.0 + fading));
+    const double fading = base::exponential(-2.0 * speed / velocity);
+    return coefficient * ((1.0 - fading) / (1.0 + fading));
 }
 
-double Tanh::resistance_slope(Slip, double speed) const {
-    const double fading = base::exponential(-2.0 * speed / step.velocity);
-    return step.coefficient / step.velocity * (4.0 * fading / ((1.0 + fading) * (1.0 + fading)));
-}
-
-double Arctan::resistance(Slip, double speed) const {
-    return step.coefficient * (2.0 * std::numbers::inv_pi) * base::arctangent(speed / step.velocity);
-}
-
-double Arctan::resistance_slope(Slip, double speed) const {
-    const double x = speed / step.velocity;
-    return step.coefficient * (2.0 * std::numbers::inv_pi) / step.velocity / (1.0 + x * x);
+double Regularised::resistance_slope(Slip, double speed) const {
+    if (kind == parameters::FrictionKind::arctan) {
+        const double x = speed / velocity;
+        return coefficient * (2.0 * std::numbers::inv_pi) / velocity / (1.0 + x * x);
+    }
+    const double fading = base::exponential(-2.0 * speed / velocity);
+    return coefficient / velocity * (4.0 * fading / ((1.0 + fading) * (1.0 + fading)));
 }
 
 bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
@@ -158,11 +143,6 @@ bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
 }
 
 namespace {
-
-StribeckCurve curve_of(const parameters::Contact& contact) {
-    return {contact.static_friction, contact.kinetic_friction, contact.stribeck_velocity, contact.stribeck_exponent,
-            contact.viscous_friction};
-}
 
 Measured measured(const parameters::Contact& contact) {
     const parameters::FrictionTable& table = contact.friction_table;
@@ -187,15 +167,14 @@ FrictionLaw friction_law(const parameters::Contact& contact) {
         case parameters::FrictionKind::linear:
             return Linear{contact.static_friction, contact.kinetic_friction, contact.friction_slope};
         case parameters::FrictionKind::stribeck:
-            return Stribeck{curve_of(contact)};
         case parameters::FrictionKind::stribeck_rational:
-            return RationalStribeck{curve_of(contact)};
+            return Stribeck{contact.static_friction,   contact.kinetic_friction, contact.stribeck_velocity,
+                            contact.stribeck_exponent, contact.viscous_friction, contact.friction};
         case parameters::FrictionKind::table:
             return measured(contact);
         case parameters::FrictionKind::tanh:
-            return Tanh{{contact.kinetic_friction, contact.regularisation}};
         case parameters::FrictionKind::arctan:
-            return Arctan{{contact.kinetic_friction, contact.regularisation}};
+            return Regularised{contact.kinetic_friction, contact.regularisation, contact.friction};
     }
     return {};
 }

@@ -133,64 +133,37 @@ struct Linear {
     bool operator==(const Linear&) const = default;
 };
 
-/// The numbers of Stribeck's curve: friction that falls from mu_s, where a slip begins, towards mu_d, and rises again
-/// with the viscosity of what lies between the surfaces.
+/// Stribeck friction: it falls from mu_s, where a slip begins, towards mu_d, and rises again with the viscosity of what
+/// lies between the surfaces,
 ///
-/// mu_d <= mu_s, so that friction never rises as a slip begins but by k_v. delta >= 1: below it friction falls
-/// infinitely fast at w = 0, and a slip that begins has no certain course (w' grows as w to a power below 1).
-struct StribeckCurve {
-    double static_coefficient = 0.0;   // [1] mu_s
-    double kinetic_coefficient = 0.0;  // [1] mu_d <= mu_s, far beyond v_s
-    double velocity = 1.0;             // [m/s] v_s > 0
-    double exponent = 1.0;             // [1] delta >= 1
-    double viscous = 0.0;              // [s/m] k_v >= 0
-    bool operator==(const StribeckCurve&) const = default;
+///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d) f((|w|/v_s)^delta) + k_v |w|) N
+///
+/// with f(x) = exp(-x), or 1/(1 + x) of the rational one. It is continuous: a slip begins with mu_s. mu_d <= mu_s, so
+/// that friction never rises as a slip begins but by k_v. delta >= 1: below it friction falls infinitely fast at w = 0,
+/// and a slip that begins has no certain course (w' grows as w to a power below 1).
+///
+/// Source: R. Stribeck 1902 for the curve; L. C. Bo and D. Pavelescu 1982 for the exponential (delta = 1 is Tustin's, 2
+/// a Gaussian curve); B. Armstrong-Helouvry and others 1994. Rational: R. I. Leine and others 1998, whose
+/// F_s/(1 + 3 |w|) has mu_d = 0, v_s = 1/3 m/s and delta = 1; Hess and Soom 1990 for delta = 2.
+struct Stribeck {
+    double static_coefficient = 0.0;                                     // [1] mu_s
+    double kinetic_coefficient = 0.0;                                    // [1] mu_d <= mu_s, far beyond v_s
+    double velocity = 1.0;                                               // [m/s] v_s > 0
+    double exponent = 1.0;                                               // [1] delta >= 1
+    double viscous = 0.0;                                                // [s/m] k_v >= 0
+    parameters::FrictionKind kind = parameters::FrictionKind::stribeck;  // or stribeck_rational: which f
 
+    double limit(Slip) const { return static_coefficient; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    // no steeper than this: x^(delta - 1) exp(-x^delta) and x^(delta - 1)/(1 + x^delta)^2 are at most 1
+    SlopeRange slopes() const { return {-exponent * fall() / velocity, viscous}; }
     // a power that is no whole number is not analytic where a slip begins
     bool has_jet() const { return exponent == std::floor(exponent); }
-
-    // no steeper than this: x^(delta - 1) exp(-x^delta) and x^(delta - 1)/(1 + x^delta)^2 are at most 1
-    SlopeRange slopes() const { return {-exponent * (static_coefficient - kinetic_coefficient) / velocity, viscous}; }
-};
-
-/// Stribeck friction, exponential:
-///
-///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d) exp(-(|w|/v_s)^delta) + k_v |w|) N
-///
-/// It is continuous: a slip begins with mu_s. Source: R. Stribeck 1902 for the curve; L. C. Bo and D. Pavelescu 1982
-/// for the exponential (delta = 1 is Tustin's, 2 a Gaussian curve); B. Armstrong-Helouvry and others 1994.
-struct Stribeck {
-    static constexpr auto kind = parameters::FrictionKind::stribeck;
-
-    StribeckCurve curve;
-
-    double limit(Slip) const { return curve.static_coefficient; }
-    double resistance(Slip way, double speed) const;
-    double resistance_slope(Slip way, double speed) const;
-    SlopeRange slopes() const { return curve.slopes(); }
-    bool has_jet() const { return curve.has_jet(); }
     double jet(Slip way, JetTerms& terms) const;
+    double fall() const { return static_coefficient - kinetic_coefficient; }
+    bool is_exponential() const { return kind == parameters::FrictionKind::stribeck; }
     bool operator==(const Stribeck&) const = default;
-};
-
-/// Stribeck friction, rational:
-///
-///     stick  |T| <= mu_s N        slip  T = -sign(w) (mu_d + (mu_s - mu_d)/(1 + (|w|/v_s)^delta) + k_v |w|) N
-///
-/// Source: R. I. Leine and others 1998, whose F_s/(1 + 3 |w|) has mu_d = 0, v_s = 1/3 m/s and delta = 1; Hess and Soom
-/// 1990 for delta = 2.
-struct RationalStribeck {
-    static constexpr auto kind = parameters::FrictionKind::stribeck_rational;
-
-    StribeckCurve curve;
-
-    double limit(Slip) const { return curve.static_coefficient; }
-    double resistance(Slip way, double speed) const;
-    double resistance_slope(Slip way, double speed) const;
-    SlopeRange slopes() const { return curve.slopes(); }
-    bool has_jet() const { return curve.has_jet(); }
-    double jet(Slip way, JetTerms& terms) const;
-    bool operator==(const RationalStribeck&) const = default;
 };
 
 /// A curve through measured rows: straight between them, or cubic without a new peak or valley. Before its first row
@@ -236,35 +209,19 @@ struct Measured {
 ///     T = -mu_d tanh(w/v_r) N        or        T = -mu_d (2/pi) arctan(w/v_r) N
 ///
 /// Where a contact should stick it creeps. The smaller v_r, the slower it creeps, and the stiffer the motion.
-struct SmoothStep {
-    double coefficient = 0.0;  // [1] mu_d
-    double velocity = 1.0;     // [m/s] v_r > 0
-    bool operator==(const SmoothStep&) const = default;
-};
-struct Tanh {
-    static constexpr auto kind = parameters::FrictionKind::tanh;
-
-    SmoothStep step;
+struct Regularised {
+    double coefficient = 0.0;                                        // [1] mu_d
+    double velocity = 1.0;                                           // [m/s] v_r > 0
+    parameters::FrictionKind kind = parameters::FrictionKind::tanh;  // or arctan
 
     double limit(Slip) const { return 0.0; }
     double resistance(Slip way, double speed) const;
     double resistance_slope(Slip way, double speed) const;
-    SlopeRange slopes() const { return {0.0, step.coefficient / step.velocity}; }
-    bool operator==(const Tanh&) const = default;
-};
-struct Arctan {
-    static constexpr auto kind = parameters::FrictionKind::arctan;
-
-    SmoothStep step;
-
-    double limit(Slip) const { return 0.0; }
-    double resistance(Slip way, double speed) const;
-    double resistance_slope(Slip way, double speed) const;
-    SlopeRange slopes() const { return {0.0, step.coefficient / step.velocity}; }
-    bool operator==(const Arctan&) const = default;
+    SlopeRange slopes() const { return {0.0, coefficient / velocity}; }
+    bool operator==(const Regularised&) const = default;
 };
 
-using FrictionLaw = std::variant<Coulomb, Directional, Linear, Stribeck, RationalStribeck, Measured, Tanh, Arctan>;
+using FrictionLaw = std::variant<Coulomb, Directional, Linear, Stribeck, Measured, Regularised>;
 
 /// Returns the law's kind, by which a case names it.
 inline parameters::FrictionKind kind_of(const FrictionLaw& law) {

@@ -29,11 +29,11 @@ double convolution(std::span<const double> a, std::span<const double> b, std::si
 constexpr std::size_t outer = 7;  // of a law's own series, behind those of powers
 
 // (|w|/v_s)^delta up to the wanted coefficient, by squares: delta is whole, and 20 at most
-std::span<const double> speed_powers(const StribeckCurve& curve, JetTerms& terms) {
+std::span<const double> speed_powers(const Stribeck& law, JetTerms& terms) {
     const std::size_t m = terms.last();
     std::size_t square = 0, next = 1, product = outer;
-    terms.own[0][m] = terms.speed[m] / curve.velocity;
-    for (auto left = static_cast<unsigned>(curve.exponent);;) {
+    terms.own[0][m] = terms.speed[m] / law.velocity;
+    for (auto left = static_cast<unsigned>(law.exponent);;) {
         if (left % 2 == 1 && product == outer) {
             product = square;
         } else if (left % 2 == 1) {
@@ -47,10 +47,6 @@ std::span<const double> speed_powers(const StribeckCurve& curve, JetTerms& terms
     }
 }
 
-double whole_fall(const StribeckCurve& curve) {
-    return curve.static_coefficient - curve.kinetic_coefficient;
-}
-
 // a speed [m/s] within a stretch
 double middle(const SpeedStretch& stretch) {
     const double from = stretch.from > 0.0 ? stretch.from : 0.0;
@@ -59,33 +55,25 @@ double middle(const SpeedStretch& stretch) {
 
 }  // namespace
 
-// y = exp(-x) has m y_m = -sum j x_j y_(m-j)
+// y = exp(-x) has m y_m = -sum j x_j y_(m-j); y = 1/(1 + x) has (1 + x_0) y_m = -sum x_j y_(m-j)
 double Stribeck::jet(Slip, JetTerms& terms) const {
     const std::size_t m = terms.last();
-    const std::span<const double> x = speed_powers(curve, terms);
+    const std::span<const double> x = speed_powers(*this, terms);
     std::array<double, most_jet_coefficients>& y = terms.own[outer];
     if (m == 0) {
-        y[0] = base::exponential(-x[0]);
-        return curve.static_coefficient - whole_fall(curve) * (1.0 - y[0]) + curve.viscous * terms.speed[0];
+        y[0] = is_exponential() ? base::exponential(-x[0]) : 1.0 / (1.0 + x[0]);
+        const double lost = is_exponential() ? 1.0 - y[0] : x[0] * y[0];
+        return static_coefficient - fall() * lost + viscous * terms.speed[0];
     }
-    double sum = 0.0;
-    for (std::size_t j = 1; j <= m; ++j)
-        sum += static_cast<double>(j) * x[j] * y[m - j];
-    y[m] = -sum / static_cast<double>(m);
-    return whole_fall(curve) * y[m] + curve.viscous * terms.speed[m];
-}
-
-// y = 1/(1 + x) has (1 + x_0) y_m = -sum x_j y_(m-j)
-double RationalStribeck::jet(Slip, JetTerms& terms) const {
-    const std::size_t m = terms.last();
-    const std::span<const double> x = speed_powers(curve, terms);
-    std::array<double, most_jet_coefficients>& y = terms.own[outer];
-    if (m == 0) {
-        y[0] = 1.0 / (1.0 + x[0]);
-        return curve.static_coefficient - whole_fall(curve) * (x[0] * y[0]) + curve.viscous * terms.speed[0];
+    if (is_exponential()) {
+        double sum = 0.0;
+        for (std::size_t j = 1; j <= m; ++j)
+            sum += static_cast<double>(j) * x[j] * y[m - j];
+        y[m] = -sum / static_cast<double>(m);
+    } else {
+        y[m] = -convolution(x, y, 1, m) / (1.0 + x[0]);
     }
-    y[m] = -convolution(x, y, 1, m) / (1.0 + x[0]);
-    return whole_fall(curve) * y[m] + curve.viscous * terms.speed[m];
+    return fall() * y[m] + viscous * terms.speed[m];
 }
 
 // the rows beyond rest, and where the curve passes mu_s: above it no row counts

@@ -176,6 +176,12 @@ struct Run {
     double beta_2 = 0.5;          // [1] beta_2: 0.5 central difference, second order; above it damps, first order
 };
 
+/// What a contact comes to whose regularised friction lets it creep where it should stick.
+enum class Creeping {
+    undecided,  // its states are none of a rubbing contact
+    judged,     // as any other, since a user asks for it
+};
+
 /// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;
 /// these are Stridor's, documented with their reasons in docs/methods/verdict.md.
 struct Thresholds {
@@ -192,6 +198,7 @@ struct Thresholds {
     double least_intervals = 6.0;     // [1] fewest repeats that can be judged; fewer are `undecided`
     double lock_force = 10.0;         // [1] multiple of its preload from which a stuck contact locks
     double least_distance = 2.0;  // [1] errors of a figure; one that lies nearer to its threshold makes it `undecided`
+    Creeping creeping = Creeping::undecided;
 };
 
 /// A joint on the plate and its contact.

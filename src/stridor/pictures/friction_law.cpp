@@ -60,7 +60,8 @@ void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
     const double edge = branch.speeds.back();
     if (branch.limit > branch.sliding.front())
         panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), drawing::TickSize::major});
-    panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding.front()), drawing::TickSize::major});
+    if (branch.sliding_symbol != nullptr)
+        panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding.front()), drawing::TickSize::major});
     drawing::Line line{branch.speeds, branch.sliding, {drawing::accent, 1.6, drawing::Dash::solid}};
     for (std::size_t k = 0; k < line.x.size(); ++k) {
         line.x[k] *= x;
@@ -119,7 +120,8 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     };
     // a continuous curve begins with mu_s
     const bool begins_with_limit = stick_limit(law, model::Slip::backward) == slip_ratio(law, model::Slip::backward);
-    const char* const begin = !is_state_wise(law) && begins_with_limit ? "mu_s" : "mu_d";
+    const bool sticks = !parameters::is_regularised(contact.friction);
+    const char* const begin = !sticks ? nullptr : !is_state_wise(law) && begins_with_limit ? "mu_s" : "mu_d";
     const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", begin);
     const LawBranch coming =
         branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? begin : "mu_dc");
@@ -139,6 +141,10 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     panel.y.unit = "1";
     panel.y.range = {-top, top};
     panel.y.ticks = {{0.0, "0", drawing::TickSize::major}};
+    for (const double sign : {-1.0, 1.0})
+        if (!sticks)
+            panel.y.ticks.push_back({sign * contact.kinetic_friction, named(sign, "mu_d", contact.kinetic_friction),
+                                     drawing::TickSize::major});
     if (visited) {
         panel.layers.emplace_back(
             drawing::Boxes{{{*visited, {-top, top}}}, {drawing::highlight, drawing::Texture::none, drawing::ink}});
@@ -159,8 +165,9 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     add_branch(panel, going, top);
     // a curve that falls may lie where a level one leaves room
     const double beside = is_state_wise(law) ? 0.5 * going.sliding.front() : -0.5 * going.limit;
-    panel.layers.emplace_back(drawing::Note{"stick", 0.06 * edge, beside, drawing::Anchor::data, drawing::Align::left,
-                                            drawing::ink, 0.0, std::nullopt});
+    if (sticks)
+        panel.layers.emplace_back(drawing::Note{"stick", 0.06 * edge, beside, drawing::Anchor::data,
+                                                drawing::Align::left, drawing::ink, 0.0, std::nullopt});
 
     drawing::Scene scene;
     scene.title = "Friction law";

@@ -145,6 +145,7 @@ struct ContactTally {
     std::optional<CoarserTally> coarser{};                    // of an engine that compares two steps
     std::vector<StretchTimes> stretches{};                    // the latest complete ones, in time
     long judged_stretches = 0;                                // [1] complete ones, kept or not
+    bool creeps = false;  // its friction is regularised: it creeps where it should stick
 };
 
 /// What one phase of a run leaves behind.

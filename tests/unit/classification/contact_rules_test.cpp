@@ -58,6 +58,22 @@ const Margin& margin(const Verdict& verdict, std::string_view name) {
     return *found;
 }
 
+// regularised friction has no stick: nothing that it does is a rubbing contact's, unless a user asks
+TEST(ContactRules, JudgeNoContactThatCreepsUnlessAsked) {
+    Thresholds thresholds;
+    for (Evidence figures : {evidence(1.0, 0.0, 0.0, 0), evidence(0.4, 0.2, 0.99), evidence(0.1, 0.9, 0.5)}) {
+        const Category judged = category(figures);
+        figures.creeps = true;
+        thresholds.creeping = parameters::Creeping::undecided;
+        const Verdict verdict = classify(figures, thresholds);
+        EXPECT_EQ(verdict.category, Category::undecided);
+        EXPECT_EQ(verdict.reasons.size(), 1U);
+        EXPECT_TRUE(tells(verdict, "it creeps where it should stick"));
+        thresholds.creeping = parameters::Creeping::judged;
+        EXPECT_EQ(category(figures, thresholds), judged);
+    }
+}
+
 // a contact that nearly always slips and yet ends that 249 times a second is heard; one event that rings out is not
 TEST(ContactRules, SlipThatEndsAgainAndAgainIsNotQuiet) {
     Evidence figures = evidence(0.982, 0.018, 0.86, 100);

@@ -22,20 +22,21 @@ double decades(double from, double to) {
 
 FrictionLaw any_law() {
     const double limit = decades(0.05, 3.0);
-    const model::StribeckCurve curve{limit, limit * (0.5 + 0.5 * *signed_fraction()), decades(1e-4, 10.0),
-                                     *whole_between(0, 1) == 0 ? 1.0 : decades(1.0, 20.0),
-                                     *whole_between(0, 1) == 0 ? 0.0 : decades(1e-3, 10.0)};
+    model::Stribeck curve{limit, limit * (0.5 + 0.5 * *signed_fraction()), decades(1e-4, 10.0),
+                          *whole_between(0, 1) == 0 ? 1.0 : decades(1.0, 20.0),
+                          *whole_between(0, 1) == 0 ? 0.0 : decades(1e-3, 10.0)};
     switch (*whole_between(0, 4)) {
         case 0:
-            return model::Stribeck{curve};
+            return curve;
         case 1:
-            return model::RationalStribeck{curve};
+            curve.kind = parameters::FrictionKind::stribeck_rational;
+            return curve;
         case 2:
             return model::Linear{limit, curve.kinetic_coefficient, decades(1e-3, 100.0)};
         case 3:
-            return model::Tanh{{limit, curve.velocity}};
+            return model::Regularised{limit, curve.velocity};
         default:
-            return model::Arctan{{limit, curve.velocity}};
+            return model::Regularised{limit, curve.velocity, parameters::FrictionKind::arctan};
     }
 }
 
@@ -103,7 +104,7 @@ RC_GTEST_PROP(FastestSlip, IsWhereBisectionFindsIt, ()) {
 
 // friction that falls within 10 mm/s while the step reaches 1 m/s: the slip may go on, or have ended
 TEST(FastestSlip, OfSeveralIsTheOneWithTheLeastFriction) {
-    const OneStep step{model::Stribeck{{0.8, 0.2, 1e-2, 1.0, 0.0}}, Slip::forward, 0.5, 1.0};
+    const OneStep step{model::Stribeck{0.8, 0.2, 1e-2, 1.0, 0.0}, Slip::forward, 0.5, 1.0};
     // with 0.8 it would have turned round; with 0.2 and a rest of exp(-30) it goes on with 0.3 m/s
     EXPECT_NEAR(step.psi(0.8), 0.0, 1e-15);
     EXPECT_NEAR(found_in(step), 0.2, 1e-9);

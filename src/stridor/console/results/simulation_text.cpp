@@ -114,6 +114,8 @@ std::string only_this(const parameters::Case& c, const std::vector<Verdict>& ver
 // "mu_d 0.6, mu_s 0.8", and what else the law has
 std::string coefficients_text(const parameters::Contact& contact) {
     using parameters::FrictionKind;
+    if (parameters::is_regularised(contact.friction))
+        return fmt::format("mu_d {:g}, v_r {:g} m/s, no stick", contact.kinetic_friction, contact.regularisation);
     if (contact.friction == FrictionKind::table)
         return fmt::format("friction by a table of {} rows, mu_s {:g}", contact.friction_table.speeds.size(),
                            contact.static_friction);

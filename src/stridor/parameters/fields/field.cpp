@@ -20,8 +20,9 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> friction_names{"coulomb",  "directional",       "linear",
-                                                         "stribeck", "stribeck-rational", "table"};
+constexpr std::array<std::string_view, 8> friction_names{"coulomb",           "directional", "linear", "stribeck",
+                                                         "stribeck-rational", "table",       "tanh",   "arctan"};
+constexpr std::array<std::string_view, 2> creeping_names{"undecided", "judged"};
 constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 4> initial_names{"rest", "stuck", "sliding", "given"};
@@ -181,6 +182,8 @@ const std::array table{
     Field{"contact", "kinetic_friction_coming", "mu_dc", "mu_d of the other way, at most mu_sc",
           quantity<&PlateJoint::contact, &Contact::kinetic_friction_coming>("1", not_negative, usual_kinetic_friction),
           has_friction_each_way},
+    Field{"contact", "regularisation", "v_r", "slip velocity over which regularised friction rises",
+          quantity<&PlateJoint::contact, &Contact::regularisation>("m/s", positive, octaves(1e-4, 1e-2)), has_no_stick},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&PlateJoint::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
@@ -261,6 +264,8 @@ const std::array table{
     Field{"verdict", "least_distance", "",
           "errors of a figure that it must lie from its threshold; nearer is undecided",
           quantity<&Case::verdict, &Thresholds::least_distance>("1", Range{0.0, 1000.0}), always},
+    Field{"verdict", "creeping", "", "verdict of a contact that creeps where it should stick",
+          choice<&Case::verdict, &Thresholds::creeping, Creeping>(creeping_names), has_no_stick},
 };
 
 bool contains(const Range& range, double value) {

@@ -13,7 +13,7 @@ namespace {
 
 // what some methods cannot do; whatever stands in no row, they can
 struct Lack {
-    Demand demand;
+    std::initializer_list<Demand> demands;
     std::initializer_list<Method> methods;
     std::string_view what;  // behind the name of the engine
     std::string_view why;
@@ -21,77 +21,67 @@ struct Lack {
 };
 
 const Lack lacks[] = {
-    {Demand::several_contacts,
+    {{Demand::several_contacts},
      {Method::exact, Method::beta_2},
      "knows one contact",
      "several joints are solved by exact or moreau",
      "Set run.engine = \"exact\"."},
-    {Demand::own_structure,
+    {{Demand::own_structure},
      {Method::beta_2},
      "knows the paper's joint",
      "a structure of one's own is solved by exact or moreau",
      "Set run.engine = \"exact\"."},
-    {Demand::any_size,
+    {{Demand::any_size},
      {Method::exact},
      "knows two or three degrees of freedom",
      "more are solved by Taylor series, or by steps",
      "Use the Taylor engine."},
-    {Demand::two_tangents,
+    {{Demand::two_tangents},
      {Method::exact, Method::taylor, Method::beta_2},
      "knows one direction of slip",
      "its events, or the trial of its steps, are of one",
      "Set run.engine = \"moreau\"."},
-    {Demand::other_cone,
+    {{Demand::other_cone},
      {Method::exact, Method::taylor, Method::moreau, Method::massless, Method::beta_2},
      "knows a circular cone alone for friction in a plane",
      "it has the same coefficients every way",
      "Set friction = \"coulomb\"."},
-    {Demand::imposed_force,
+    {{Demand::imposed_force},
      {Method::exact, Method::taylor, Method::beta_2},
      "knows no drive by force",
      "its events, or its steps, follow a surface that moves",
      "Set run.engine = \"moreau\"."},
-    {Demand::other_impacts,
+    {{Demand::other_impacts},
      {Method::taylor},
      "knows plastic impacts only beyond the paper's joint",
      "other laws say nothing of impacts that meet at the same instant",
      "Set impact = \"plastic\"."},
-    {Demand::other_impacts,
+    {{Demand::other_impacts},
      {Method::moreau, Method::massless, Method::beta_2},
      "knows plastic impacts only",
      "its impacts are what its steps make of them",
      "Set impact = \"plastic\", or run.engine = \"exact\" for a joint alone."},
-    {Demand::other_friction,
+    {{Demand::other_friction, Demand::unexpanded_friction},
      {Method::exact},
      "knows no friction that changes with the slip velocity",
      "what it solves between events is linear",
      "Use the Taylor engine."},
-    {Demand::other_friction,
+    {{Demand::other_friction, Demand::unexpanded_friction},
      {Method::massless},
      "knows no friction that changes with the slip velocity without inertia at the contacts",
      "there forces answer places, not velocities",
      "Set run.formulation = \"standard\"."},
-    {Demand::unexpanded_friction,
-     {Method::exact},
-     "knows no friction that changes with the slip velocity",
-     "what it solves between events is linear",
-     "Set run.engine = \"moreau\"."},
-    {Demand::unexpanded_friction,
+    {{Demand::unexpanded_friction},
      {Method::taylor},
      "has no power series of this law of friction",
      "where a slip begins it is not analytic, or it never sticks",
      "Set run.engine = \"moreau\", or another law; a stribeck_exponent that is a whole number has one."},
-    {Demand::unexpanded_friction,
-     {Method::massless},
-     "knows no friction that changes with the slip velocity without inertia at the contacts",
-     "there forces answer places, not velocities",
-     "Set run.formulation = \"standard\"."},
-    {Demand::massless_rows,
+    {{Demand::massless_rows},
      {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
      "needs mass in each row",
      "events and impacts need inertia",
      "Set run.engine = \"moreau\" and run.formulation = \"massless\"."},
-    {Demand::joint,
+    {{Demand::joint},
      {Method::massless},
      "cannot leave out inertia: the contact of a joint has inertia",
      "its mass stands there: without it another system moves",
@@ -117,7 +107,8 @@ bool needs_series(const Case& c) {
 std::optional<base::Problem> refusal(Method method, const Asked& asked, std::string_view name) {
     if (name.empty()) name = method_names[static_cast<std::size_t>(method)];
     for (const Lack& lack : lacks)
-        if (lack.demand == asked.demand && std::count(lack.methods.begin(), lack.methods.end(), method) > 0)
+        if (std::count(lack.demands.begin(), lack.demands.end(), asked.demand) > 0 &&
+            std::count(lack.methods.begin(), lack.methods.end(), method) > 0)
             return base::Problem{"the " + std::string(name) + " engine " + std::string(lack.what) +
                                      (asked.where.empty() ? "" : ": " + asked.where),
                                  std::string(lack.why), std::string(lack.remedy)};
