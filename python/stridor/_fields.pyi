@@ -78,6 +78,11 @@ class Contact(Section):
     static_friction_coming: Quantity
     kinetic_friction_coming: Quantity
     regularisation: Quantity
+    rest: Word
+    rest_growth: Quantity
+    rest_time: Quantity
+    rest_exponent: Quantity
+    initial_rest: Quantity
     impact: Word
     restitution: Quantity
     initial_state: Word

@@ -49,7 +49,7 @@ def structure(
     contacts : sequence of mappings
         Of each contact `name`, `normal` and `tangent`, and whatever else a `[[structure.contact]]` has:
         `second_tangent`, `initial_gap` [m], `static_friction`, `kinetic_friction`, `preload_share`, `drive_share`,
-        `position` [m]. Directions are arrays with a number for each row, or text: "y1 -y2".
+        `position` [m], `initial_rest` [s]. Directions are arrays with a number for each row, or text: "y1 -y2".
     values : mapping
         Of the rest of the case by key, as `Case.set` takes them: preload, both frictions and `drive.kind` at least.
     damping : array_like or sparse matrix, optional

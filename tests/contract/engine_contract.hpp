@@ -33,6 +33,13 @@ inline void rub_by_stribeck(parameters::Case& c) {
     c.contact().viscous_friction = 0.01;
 }
 
+/// Lets the static friction of a case's contact grow while it sticks: by some hundredths in a millisecond.
+inline void grow_by_rest(parameters::Case& c) {
+    c.contact().rest = parameters::RestKind::kato;
+    c.contact().rest_growth = 0.2;
+    c.contact().rest_time = 0.02;
+}
+
 inline void PrintTo(const EngineUnderTest& engine, std::ostream* out) {
     *out << engine.name;
 }

@@ -20,9 +20,19 @@ void choose_stribeck_moreau(parameters::Case& c) {
     rub_by_stribeck(c);
 }
 
+void choose_resting_moreau(parameters::Case& c) {
+    choose_moreau(c);
+    grow_by_rest(c);
+}
+
 void choose_massless(parameters::Case& c) {
     choose_moreau(c);
     c.run.formulation = parameters::Formulation::massless;
+}
+
+void choose_resting_massless(parameters::Case& c) {
+    choose_massless(c);
+    grow_by_rest(c);
 }
 
 // a step in which a contact changes its state has one force for all of it: the balance is of first order there
@@ -39,6 +49,11 @@ const EngineUnderTest stribeck_moreau{.name = "moreau_with_stribeck_friction",
                                       .energy_tolerance = 1e-5,
                                       .unstable_step = 1e-3};
 
+const EngineUnderTest resting_moreau{.name = "moreau_with_growth_by_rest",
+                                     .choose = choose_resting_moreau,
+                                     .energy_tolerance = 1e-5,
+                                     .unstable_step = 1e-3};
+
 // Forces are those that hold places: at rest they answer the flexibility of what has no inertia to 1e-4.
 const EngineUnderTest massless{.name = "massless",
                                .choose = choose_massless,
@@ -48,7 +63,17 @@ const EngineUnderTest massless{.name = "massless",
                                .force_share = 1e-4,
                                .starts_stuck = false};
 
-INSTANTIATE_TEST_SUITE_P(Steps, EngineContract, testing::Values(moreau, falling_moreau, stribeck_moreau, massless),
+const EngineUnderTest resting_massless{.name = "massless_with_growth_by_rest",
+                                       .choose = choose_resting_massless,
+                                       .energy_tolerance = 1e-3,
+                                       .unstable_step = 1e-2,
+                                       .as_solved = on_massless_foot,
+                                       .force_share = 1e-4,
+                                       .starts_stuck = false};
+
+INSTANTIATE_TEST_SUITE_P(Steps, EngineContract,
+                         testing::Values(moreau, falling_moreau, stribeck_moreau, resting_moreau, massless,
+                                         resting_massless),
                          testing::PrintToStringParamName());
 
 }  // namespace

@@ -29,7 +29,17 @@ const EngineUnderTest falling_taylor{.name = "taylor_with_falling_friction",
                                      .energy_tolerance = 1e-10,
                                      .change_moves = 1e-9};
 
-INSTANTIATE_TEST_SUITE_P(Taylor, EngineContract, testing::Values(taylor, falling_taylor),
+void choose_resting_taylor(parameters::Case& c) {
+    choose_taylor(c);
+    grow_by_rest(c);
+}
+
+const EngineUnderTest resting_taylor{.name = "taylor_with_growth_by_rest",
+                                     .choose = choose_resting_taylor,
+                                     .energy_tolerance = 1e-10,
+                                     .change_moves = 1e-9};
+
+INSTANTIATE_TEST_SUITE_P(Taylor, EngineContract, testing::Values(taylor, falling_taylor, resting_taylor),
                          testing::PrintToStringParamName());
 
 }  // namespace

@@ -137,6 +137,7 @@ std::string broken_law(const WildStructure& wild, const record::Trace& trace) {
                              law_rounding * (integration::dot_of_sizes(modal.contacts[m].tangent, v) + sizes.surface) +
                              sum_rounding * contact.tangent.lpNorm<1>() * sizes.largest_velocity;
         const double force = law_rounding * sizes.force;
+        double moved_at = 0.0;  // [s] the last time that it was seen not to stick
         for (std::size_t s = 0; s < trace.time.size(); ++s) {
             double gap = contact.initial_gap, slip = -contact.drive_share * trace.surface_velocity[s];
             for (std::size_t j = 0; j < trace.displacement.size(); ++j) {
@@ -150,6 +151,7 @@ std::string broken_law(const WildStructure& wild, const record::Trace& trace) {
             };
             const double N = sampled.normal_force[s], T = sampled.friction_force[s];
             const ContactState state = sampled.state[s];
+            if (state != ContactState::stick) moved_at = trace.time[s];
             if (gap < -length) say("penetration", gap, length);
             if (state == ContactState::separation) {
                 if (N != 0.0 || T != 0.0) say("force of an open contact", N + std::abs(T), force);
@@ -158,8 +160,8 @@ std::string broken_law(const WildStructure& wild, const record::Trace& trace) {
             if (gap > length) say("gap of a closed contact", gap, length);
             if (N < 0.0) say("normal force", N, force);
             const model::Slip way = state == ContactState::slip ? model::slip_of(slip) : model::slip_against(T);
-            if (std::abs(T) > stick_limit(contact.friction, way) * N + force)
-                say("friction beyond its limit", std::abs(T) - stick_limit(contact.friction, way) * N, force);
+            const double limit = stick_limit(contact.friction, way) + grown(contact.rest, trace.time[s] - moved_at);
+            if (std::abs(T) > limit * N + force) say("friction beyond its limit", std::abs(T) - limit * N, force);
             if (state == ContactState::stick && std::abs(slip) > speed) say("slip of a stuck contact", slip, speed);
             if (state == ContactState::slip && T * slip > force * std::abs(slip) + speed * std::abs(T))
                 say("friction with the slip", T * slip, force * speed);
@@ -233,6 +235,19 @@ WildStructure with_changing_friction(WildStructure wild, std::uint64_t number) {
     return wild;
 }
 
+// with static friction that grows with rest, within a thousandth to all of the run
+WildStructure with_growth_by_rest(WildStructure wild, std::uint64_t number) {
+    constexpr std::array shares{1e-3, 0.03, 1.0};
+    for (std::size_t k = 0; k < wild.structure.contacts.size(); ++k) {
+        model::RestGrowth& rest = wild.structure.contacts[k].rest;
+        rest.kind = (number + k) % 2 == 0 ? parameters::RestKind::logarithmic : parameters::RestKind::kato;
+        rest.growth = 0.1;
+        rest.time = shares[(number / 2 + k) % shares.size()] * wild.duration;
+        rest.exponent = (number + k) % 4 == 1 ? 1.0 : 0.4;
+    }
+    return wild;
+}
+
 using Ended = std::array<long, integration::reason_names.size()>;
 
 std::string failure_of(const WildStructure& wild, std::uint64_t number, Ended& ended, double most = most_unexplained) {
@@ -300,6 +315,17 @@ TEST(StructureFuzz, KeepsTheLawsOfContactWithFrictionThatChanges) {
         EXPECT_EQ(failure, "") << "wild structure " << number;
     }
     // a slip begins with the friction of the stick, which presses more
+    const long refused = static_cast<long>(runs.count) - ended[static_cast<std::size_t>(Reason::completed)];
+    EXPECT_LE(refused, 1 + static_cast<long>(runs.count) / 24);
+}
+
+TEST(StructureFuzz, KeepsTheLawsOfContactWithGrowthByRest) {
+    Ended ended{};
+    const support::Runs runs = support::runs(support::effort(24, 4));
+    for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
+        const WildStructure wild = with_growth_by_rest(support::wild_structure(number), number);
+        EXPECT_EQ(failure_of(wild, number, ended), "") << "wild structure " << number;
+    }
     const long refused = static_cast<long>(runs.count) - ended[static_cast<std::size_t>(Reason::completed)];
     EXPECT_LE(refused, 1 + static_cast<long>(runs.count) / 24);
 }

@@ -112,6 +112,8 @@ export interface OwnContact {
   interface?: string;
   /** where it is, for drawings; it changes no result [m] */
   position?: number[];
+  /** for which it has stuck at the start [s] */
+  initial_rest: number;
   /** How far along the line of contacts that is [m], where all are known and differ. */
   along_line?: number;
 }

@@ -100,6 +100,7 @@ Structure structure_of(const parameters::Case& c) {
         contact.drive_share = given.drive_share;
         contact.interface = interfaces[static_cast<std::size_t>(k)];
         contact.friction = friction_law(laws);
+        contact.rest = rest_growth(laws);
         contact.impact = impact_law(laws);
         structure.measured.row(2 * k) = contact.tangent.transpose();
         structure.measured.row(2 * k + 1) = contact.normal.transpose();

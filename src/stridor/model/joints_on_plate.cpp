@@ -36,6 +36,7 @@ Structure joints_on_plate(std::span<const PlateJoint> joints, const parameters::
         contact.normal(last) = -1.0;
         contact.tangent(along) = 1.0;
         contact.friction = friction_law(rubbed);
+        contact.rest = rest_growth(rubbed);
         contact.impact = impact_law(rubbed);
         contact.preload = rubbed.preload;
         structure.body.insert(structure.body.end(), {k, k});

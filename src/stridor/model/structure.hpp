@@ -2,6 +2,7 @@
 
 #include "stridor/model/friction.hpp"
 #include "stridor/model/impact.hpp"
+#include "stridor/model/rest.hpp"
 
 #include <Eigen/Core>
 
@@ -24,6 +25,7 @@ struct ContactPoint {
     double second_drive_share = 0.0;  // [1] share of V(t) along the second tangent
     int interface = -1;               // contacts of one number are one interface, judged as a whole; below 0: alone
     double preload = 0.0;             // [N] N at rest, the reference of its growth; 0: not known, or open there
+    RestGrowth rest{};                // of its static friction
 };
 
 /// A linear structure with unilateral frictional contacts, what every engine sees:

@@ -73,6 +73,13 @@ enum class FrictionKind {
     arctan,             // a slower one
 };
 
+/// How static friction grows with the time that a contact has stuck.
+enum class RestKind {
+    none,         // it does not
+    logarithmic,  // by the logarithm of that time: rocks, metals, polymers
+    kato,         // towards an end: lubricated slideways
+};
+
 /// Are coefficients of the law the same as long as the contact sticks, or slips one way?
 constexpr bool is_state_wise(FrictionKind kind) {
     return kind == FrictionKind::coulomb || kind == FrictionKind::directional;
@@ -109,11 +116,21 @@ struct Contact {
     FrictionTable friction_table{};   // table
     Interpolation interpolation = Interpolation::cubic;  // table
     double regularisation = 1e-3;                        // [m/s] tanh, arctan: v_r, the width of the step through zero
+    RestKind rest = RestKind::none;                      // of any law that sticks
+    double rest_growth = 0.02;   // [1] logarithmic: A, for each factor e of the time of rest; kato: mu_inf - mu_s
+    double rest_time = 1.0;      // [s] t_0, a time of rest after which mu_s has grown
+    double rest_exponent = 0.5;  // [1] kato: m, of the time of rest over t_0
+    double rested = 0.0;         // [s] for which it has stuck when a run begins
     double static_friction_coming = 0.8;   // [1] directional: mu_s where the plate drags the joint coming, T < 0
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
 };
+
+/// Does static friction of the contact grow with the time of rest? Without a stick none does.
+constexpr bool grows_with_rest(const Contact& contact) {
+    return contact.rest != RestKind::none && !is_regularised(contact.friction);
+}
 
 /// Where a motion begins.
 enum class Initial {

@@ -67,6 +67,8 @@ void rebuild(Case& c, std::string_view key, double value) {
     anew.initial_displacement = c.own_structure->initial_displacement;
     if (has_given_velocity(*c.own_structure)) anew.initial_velocity = c.own_structure->initial_velocity;
     anew.outputs = c.own_structure->outputs;
+    for (std::size_t k = 0; k < std::min(anew.contacts.size(), c.own_structure->contacts.size()); ++k)
+        anew.contacts[k].rested = c.own_structure->contacts[k].rested;
     c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
 }
 

@@ -36,6 +36,7 @@ struct OwnContact {
     double drive_share = 1.0;                         // [1] of V(t) that the surface has here
     double second_drive_share = 0.0;                  // [1] of V(t) along the second tangent
     std::optional<std::array<double, 3>> position{};  // [m] where it is, for pictures; it changes no result
+    std::optional<double> rested{};                   // [s] for which it has stuck at the start, in the case's place
 };
 
 /// A point of the line as which an own structure is drawn, be it a string or a beam. It changes no result.

@@ -41,6 +41,15 @@ TEST(ContactViolation, HoldsALimitThatFellAgainstTheSlipsRatio) {
     EXPECT_DOUBLE_EQ(of(fallen).size, 0.1);
 }
 
+TEST(ContactViolation, AddsWhatRestHasAddedToALimitThatHolds) {
+    TriedContact rested{.mode = ContactMode::stick, .normal = 10.0, .tangential = 9.0};
+    EXPECT_EQ(of(rested).mode, ContactMode::slip_backward);
+    rested.grown = 0.15;
+    EXPECT_EQ(of(rested).size, 0.0);
+    rested.limit = StickLimit::fallen;
+    EXPECT_EQ(of(rested).mode, ContactMode::slip_backward);
+}
+
 TEST(ContactViolation, PassesOverRounding) {
     EXPECT_EQ(of({.mode = ContactMode::open, .gap_velocity = -1e-11}).size, 0.0);
     EXPECT_EQ(of({.mode = ContactMode::stick, .normal = -1e-10}).size, 0.0);

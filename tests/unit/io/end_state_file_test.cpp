@@ -1,5 +1,6 @@
 #include "stridor/io/simulation/end_state_file.hpp"
 
+#include "io_support.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/fields/field.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace stridor::io {
 namespace {
@@ -39,6 +41,23 @@ TEST(EndStateFile, ReadsBackBitForBit) {
     EXPECT_EQ(read.state.contacts, state.contacts);
     EXPECT_EQ(read.state.memory, state.memory);
     EXPECT_NO_THROW(expect_same_case(read, short_case(), "end.json"));
+}
+
+// where rest changes nothing a file has none, as it had before
+TEST(EndStateFile, KeepsTheTimeOfRestWhereFrictionGrowsWithIt) {
+    EXPECT_EQ(document().find("rested"), std::string::npos);
+    integration::EndState state = integration::run_to_end(short_case()).state;
+    state.rested = {0.125};
+    const std::string text = end_state_json(short_case(), state);
+    EXPECT_EQ(read_end_state(text, "end.json").state.rested, state.rested);
+    const std::string forged = replaced(text, "0.125", "0.25");
+    EXPECT_TRUE(thrown_by([&] { read_end_state(forged, "end.json"); }).says("its checksum is another"));
+    for (const std::vector<double>& odd : {std::vector{0.1, 0.2}, std::vector{-1.0}}) {
+        state.rested = odd;
+        EXPECT_TRUE(thrown_by([&] {
+                        read_end_state(end_state_json(short_case(), state), "end.json");
+                    }).says("rested is no time for each contact"));
+    }
 }
 
 TEST(EndStateFile, IsOfACaseWhateverItsDurationAndThresholds) {

@@ -380,6 +380,38 @@ TEST(TomlCase, RefusesStribeckNumbersThatMeanNothing) {
                  "has no power series of this law of friction", "case.toml:15:12");
 }
 
+TEST(TomlCase, ReadsFrictionWithoutAStickThatNoVerdictIsMadeOf) {
+    const std::string text =
+        replaced(minimal, "static_friction = 0.8\n", "friction = \"arctan\"\nregularisation = \"1 mm/s\"\n") +
+        "[run]\nengine = \"moreau\"\n";
+    const Case c = read(text);
+    EXPECT_EQ(c.contact().friction, parameters::FrictionKind::arctan);
+    EXPECT_EQ(c.contact().regularisation, 1e-3);
+    EXPECT_EQ(c.verdict.creeping, parameters::Creeping::undecided);
+    EXPECT_EQ(read(text + "[verdict]\ncreeping = \"judged\"\n").verdict.creeping, parameters::Creeping::judged);
+    // what sticks has no such width, and what does not has no limit that rest could raise
+    EXPECT_TRUE(refusal(replaced(text, "arctan", "coulomb")).has_value());
+    EXPECT_TRUE(refusal(replaced(text, "regularisation = \"1 mm/s\"\n", "")).has_value());
+    EXPECT_TRUE(refusal(replaced(text, "preload = 20", "preload = 20\nrest = \"logarithmic\"")).has_value());
+    expect_error(refusal(replaced(text, "moreau", "exact")), "has no power series of this law of friction",
+                 "case.toml:14:12");
+}
+
+TEST(TomlCase, ReadsStaticFrictionThatGrowsWithRest) {
+    const std::string keys = "rest = \"kato\"\nrest_growth = 0.2\nrest_time = \"3 min\"\n";
+    const std::string text = replaced(minimal, "preload = 20\n", "preload = 20\n" + keys);
+    const Case c = read(text);
+    EXPECT_EQ(c.contact().rest, parameters::RestKind::kato);
+    EXPECT_EQ(c.contact().rest_time, 180.0);
+    EXPECT_EQ(c.contact().rest_exponent, 0.5);
+    EXPECT_EQ(read(text, {"t_r=2"}).contact().rested, 2.0);
+    EXPECT_EQ(read(case_toml(c)).contact().rest_growth, 0.2);
+    expect_error(refusal(replaced(text, "rest_growth = 0.2\n", "")), "missing key contact.rest_growth", "case.toml");
+    for (const char* odd : {"m_r=0", "m_r=1.5", "t_0=0", "A_r=-0.1", "t_r=-1"})
+        expect_error(refusal(text, {odd}), "is out of range", "--set");
+    EXPECT_TRUE(refusal(replaced(minimal, "preload = 20\n", "preload = 20\nrest_time = 2\n")).has_value());
+}
+
 TEST(TomlCase, NeedsTheFileOfASampledDrive) {
     const std::string text = replaced(minimal, "kind = \"constant\"\nvelocity = -0.1\n", "kind = \"sampled\"\n");
     expect_error(refusal(text), "missing key drive.file", "case.toml");

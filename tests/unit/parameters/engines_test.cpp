@@ -50,6 +50,18 @@ TEST(Engines, FollowFromEngineAndFormulation) {
     EXPECT_EQ(methods_of(c), std::vector{Method::beta_2});
 }
 
+// what rests changes when a stick ends: Taylor's series take such a joint; without a stick nothing rests
+TEST(Engines, SolveByDefaultWhatGrowsWithRest) {
+    Case c;
+    c.contact().rest = RestKind::logarithmic;
+    EXPECT_EQ(methods_of(c), std::vector{Method::taylor});
+    EXPECT_FALSE(refusal(Method::taylor, {Demand::growing_friction}));
+    c.contact().friction = FrictionKind::tanh;
+    EXPECT_FALSE(grows_with_rest(c.contact()));
+    c.run.engine = Engine::automatic;
+    EXPECT_EQ(methods_of(c), std::vector{Method::moreau});
+}
+
 TEST(Engines, AreChosenByWhatTheExactOneCannotSolve) {
     Case c;
     EXPECT_FALSE(why_not_exact(c));

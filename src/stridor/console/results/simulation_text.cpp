@@ -111,8 +111,18 @@ std::string only_this(const parameters::Case& c, const std::vector<Verdict>& ver
                        parameters::value_text(c, *parameters::find_field("run.initial")));
 }
 
+// ", mu_s + 0.02 ln(1 + t/(1 s)) after a rest of t"
+std::string rest_text(const parameters::Contact& contact) {
+    if (!parameters::grows_with_rest(contact)) return "";
+    const std::string ratio = fmt::format("t/({:g} s)", contact.rest_time);
+    if (contact.rest == parameters::RestKind::logarithmic)
+        return fmt::format(", mu_s + {:g} ln(1 + {}) after a rest of t", contact.rest_growth, ratio);
+    return fmt::format(", mu_s + {:g} (1 - exp(-({})^{:g})) after a rest of t", contact.rest_growth, ratio,
+                       contact.rest_exponent);
+}
+
 // "mu_d 0.6, mu_s 0.8", and what else the law has
-std::string coefficients_text(const parameters::Contact& contact) {
+std::string law_text(const parameters::Contact& contact) {
     using parameters::FrictionKind;
     if (parameters::is_regularised(contact.friction))
         return fmt::format("mu_d {:g}, v_r {:g} m/s, no stick", contact.kinetic_friction, contact.regularisation);
@@ -123,6 +133,10 @@ std::string coefficients_text(const parameters::Contact& contact) {
         contact.friction == FrictionKind::stribeck || contact.friction == FrictionKind::stribeck_rational;
     return fmt::format("mu_d {:g}, mu_s {:g}", contact.kinetic_friction, contact.static_friction) +
            (is_stribeck ? fmt::format(", v_s {:g} m/s", contact.stribeck_velocity) : "");
+}
+
+std::string coefficients_text(const parameters::Contact& contact) {
+    return law_text(contact) + rest_text(contact);
 }
 
 // what an own structure is pressed and rubs with

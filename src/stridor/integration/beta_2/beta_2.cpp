@@ -10,6 +10,7 @@
 // n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks,
 // else T is its share of N and N closes the gap. Where that share changes with the slip velocity wₙ = t.vₙ - Vₙ,
 // it is the one that is of the wₙ it leaves: by Newton's method, and the fastest such slip where there may be several.
+// What rest adds to the limit is that of the time for which it has stuck by tₙ.
 //
 // Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
 
@@ -81,14 +82,16 @@ struct Coefficients {
     std::array<SlipLaw, 2> slip;          // shape [slip]
     model::FrictionLaw friction;
     bool is_state_wise;        // `slip` is of any slip velocity
+    model::RestGrowth rest;    // of the limit
     model::SlopeRange slopes;  // [s/m] of the friction
     Matrix damping;            // C
     Vector load;               // f0
 };
 
 template <int dofs>
-Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::FrictionLaw& friction,
+Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::ContactPoint& contact,
                            const Beta2& settings) {
+    const model::FrictionLaw& friction = contact.friction;
     Coefficients<dofs> c;
     const double h = settings.step;
     c.h = h;
@@ -112,6 +115,7 @@ Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::F
     const double tt = c.tt = structure.tangent.dot(c.from_tangent);
     c.friction = friction;
     c.is_state_wise = is_state_wise(friction);
+    c.rest = contact.rest;
     c.slopes = slope_range(friction);
     model::require_no_painleve(nn, nt, friction);
     const double determinant = c.end_of_step * (nn * tt - nt * nt);
@@ -135,6 +139,7 @@ struct State {
     ContactState contact = ContactState::slip;
     bool has_contact = false;  // false until the first step
     long contact_since = 0;    // number of its first step
+    double grown = 0.0;        // [1] what rest has added to its limit
 };
 
 // what one step computed at its beginning, time n h
@@ -195,7 +200,7 @@ inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double i
         const double stick_normal = c.stick_nt * sliding - c.stick_nn * gap;
         const double stick_friction = c.stick_tt * sliding - c.stick_nt * gap;
         const SlipLaw& law = c.slip[index_of(model::slip_against(stick_friction))];
-        if (std::abs(stick_friction) <= law.limit * stick_normal) {
+        if (std::abs(stick_friction) <= (law.limit + state.grown) * stick_normal) {
             now.contact = ContactState::stick;
             now.normal_force = stick_normal;
             now.friction_force = stick_friction;
@@ -239,7 +244,7 @@ public:
              const Start& start, const Beta2& settings, record::Recorder& recorder)
         : whole_(structure),
           structure_(structure, contact),
-          coefficients_(prepare(structure_, contact.friction, settings)),
+          coefficients_(prepare(structure_, contact, settings)),
           drive_(drive, settings.step, record::end_of(recorder.schedule())),
           recorder_(recorder),
           vibration_(static_cast<std::size_t>(structure_.load.size())),
@@ -272,6 +277,8 @@ public:
 private:
     void advance(long end);
     void sample();
+    double rested(ContactState contact) const;
+    void let_rest();
     void note(const Step<dofs>& now, double increment);
     void add_velocity(const typename SizedStructure<dofs>::Vector& velocity);
     void look();
@@ -308,12 +315,28 @@ void Stepping<dofs>::pass(Memory& pass) {
 // the state at the next step's begin, as a step from a copy sees it
 template <int dofs>
 void Stepping<dofs>::hand_over(Handover& handover) {
+    let_rest();
     State<dofs> copy = state_;
     const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
     handover.to.displacement = list_of(state_.u);
     handover.to.velocity = list_of(now.velocity);
     handover.to.contacts = {now.contact};
+    if (grows(coefficients_.rest)) handover.to.rested = {rested(now.contact)};
     keep(&handover, [this](Memory& memory) { pass(memory); });
+}
+
+// [s] for which the contact has stuck by the next step, the time before the start included; 0 if it slips or is open
+template <int dofs>
+double Stepping<dofs>::rested(ContactState contact) const {
+    if (contact != ContactState::stick || (state_.has_contact && state_.contact != contact)) return 0.0;
+    const double before = state_.contact_since == 0 ? coefficients_.rest.before : 0.0;
+    return before + static_cast<double>(n_ - state_.contact_since) * coefficients_.h;
+}
+
+template <int dofs>
+inline void Stepping<dofs>::let_rest() {
+    if (!grows(coefficients_.rest)) return;
+    state_.grown = model::grown(coefficients_.rest, rested(state_.has_contact ? state_.contact : ContactState::stick));
 }
 
 template <int dofs>
@@ -365,6 +388,7 @@ inline void Stepping<dofs>::add_velocity(const typename SizedStructure<dofs>::Ve
 // the velocities at this instant, the run itself not touched
 template <int dofs>
 void Stepping<dofs>::look() {
+    let_rest();
     State<dofs> copy = state_;
     add_velocity(step(coefficients_, copy, drive_.increment(n_)).velocity);
 }
@@ -375,6 +399,7 @@ void Stepping<dofs>::advance(long end) {
     const double per_step = 0.5 / c.h;
     for (; n_ < end; ++n_) {
         const double increment = drive_.increment(n_);
+        let_rest();
         const Step<dofs> now = step(c, state_, increment);
         if (now.contact != state_.contact || !state_.has_contact) note(now, increment);
         const double surface_velocity = per_step * (increment + state_.last_increment);
@@ -393,6 +418,7 @@ void Stepping<dofs>::advance(long end) {
 // the state at this instant as a step from a copy sees it; the run itself is not touched
 template <int dofs>
 void Stepping<dofs>::sample() {
+    let_rest();
     State<dofs> copy = state_;
     const double time = static_cast<double>(n_) * coefficients_.h;
     const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));

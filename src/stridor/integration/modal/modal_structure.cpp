@@ -36,6 +36,7 @@ ModalContact modal_contact(const model::ContactPoint& contact, const Eigen::Matr
     result.initial_gap = contact.initial_gap;
     result.drive_share = contact.drive_share;
     result.friction = contact.friction;
+    result.rest = contact.rest;
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "stridor/integration/proofs/lasting_set.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/integration/proofs/sticking.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/model/complement.hpp"
 
@@ -230,6 +231,8 @@ std::vector<record::Outlook> LastingSet::outlooks(std::span<const double> q, std
         if (outlook.future != Future::releases || release < outlook.release) outlook.release = release;
         outlook.future = Future::releases;
     }
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (grows(structure_.contacts[k].rest)) known[k] = with_rest(known[k]);
     return known;
 }
 

@@ -206,14 +206,24 @@ Outlook judge(const Holding& holding, double time) {
 
 }  // namespace
 
+Outlook with_rest(Outlook outlook) {
+    if (outlook.future != Future::releases) return outlook;
+    const bool rises_evenly = !std::isnan(outlook.release) && !(outlook.drag.slope > 0.0);
+    outlook.release = std::numeric_limits<double>::quiet_NaN();
+    if (!rises_evenly) outlook.future = Future::unknown;
+    return outlook;
+}
+
 Outlook outlook_of_stick(const model::Structure& structure, const parameters::VelocityProfile& profile,
                          const StuckState& now) {
     const model::ContactPoint& contact = model::only_contact(structure, "the outlook of a stick");
     if (!profile.times.empty()) return {};
     const Stick stick(structure, contact, now);
     if (!stick.is_dissipative()) return {};
-    if (!(profile.frequency > 0.0)) return judge(stick.under_constant_drive(), now.time);
-    return judge(stick.under_sinusoidal_drive(base::two_pi * profile.frequency), now.time);
+    const Outlook known = profile.frequency > 0.0
+                              ? judge(stick.under_sinusoidal_drive(base::two_pi * profile.frequency), now.time)
+                              : judge(stick.under_constant_drive(), now.time);
+    return grows(contact.rest) ? with_rest(known) : known;
 }
 
 }  // namespace stridor::integration

@@ -8,6 +8,11 @@
 
 namespace stridor::integration {
 
+/// Returns what is known of a stick whose limit grows with rest, from what would be known if it did not. What holds
+/// without growth holds with it. What ends by forces that rise evenly ends later: no such growth keeps up with them
+/// unless N rises, too. Whether forces that swing, or stand still, end it is not known.
+record::Outlook with_rest(record::Outlook outlook);
+
 /// A stuck contact at one instant.
 struct StuckState {
     Eigen::VectorXd displacement;       // [m] u, shape [dof]

@@ -153,7 +153,7 @@ bool Trial::mend() {
     std::vector<TriedContact> tried;
     for (std::size_t k = 0; k < result_.mode.size(); ++k)
         tried.push_back({result_.mode[k], limit_[k], result_.normal[k], result_.tangential[k], result_.gap_velocity[k],
-                         result_.slip_velocity[k]});
+                         result_.slip_velocity[k], meeting_.grown.empty() ? 0.0 : meeting_.grown[k]});
     const auto [contact, worst] = worst_contact(structure_.contacts, tried, meeting_.touches, scale);
     if (worst.size == 0.0) return false;
     if (result_.mode[contact] == ContactMode::stick && is_slip(worst.mode)) limit_[contact] = StickLimit::fallen;

@@ -15,6 +15,8 @@ struct Meeting {
     std::vector<double> slip_velocity;  // [m/s] w before, shape [contact]
     std::vector<ContactMode> mode;      // shape [contact]; open: no impulse as long as g' >= 0 afterwards
     std::vector<bool> touches;          // shape [contact]; the others take no part
+    // [1] what rest has added to the limits of those that stick, shape [contact]; empty: nothing
+    std::vector<double> grown{};
 };
 
 /// Impulses of all touching contacts at once, and what they leave.

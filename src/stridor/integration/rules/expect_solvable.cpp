@@ -38,6 +38,8 @@ std::vector<Asked> demands_of(const model::Structure& structure) {
     if (has(has_slope)) asked.push_back({Demand::other_friction});
     if (has([](const ContactPoint& contact) { return !has_jet(contact.friction); }))
         asked.push_back({Demand::unexpanded_friction});
+    if (has([](const ContactPoint& contact) { return grows(contact.rest); }))
+        asked.push_back({Demand::growing_friction});
     return asked;
 }
 

@@ -7,8 +7,8 @@
 
 namespace stridor::integration {
 
-double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit) {
-    return limit == StickLimit::fallen ? std::abs(slip_ratio(law, way)) : stick_limit(law, way);
+double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit, double grown) {
+    return limit == StickLimit::fallen ? std::abs(slip_ratio(law, way)) : stick_limit(law, way) + grown;
 }
 
 ContactViolation violation(const ModalContact& law, const TriedContact& contact, const TrialScale& scale) {
@@ -24,8 +24,8 @@ ContactViolation violation(const ModalContact& law, const TriedContact& contact,
     look(-contact.normal, scale.push, ContactMode::open);
     if (contact.mode == ContactMode::stick) {
         const model::Slip way = model::slip_against(contact.tangential);
-        look(std::abs(contact.tangential) - limit_of(law.friction, way, contact.limit) * contact.normal, scale.push,
-             slip_mode(way));
+        const double limit = limit_of(law.friction, way, contact.limit, contact.grown);
+        look(std::abs(contact.tangential) - limit * contact.normal, scale.push, slip_mode(way));
     } else {
         const double sign = contact.mode == ContactMode::slip_forward ? 1.0 : -1.0;
         look(-sign * contact.slip_velocity, scale.speed, ContactMode::stick);

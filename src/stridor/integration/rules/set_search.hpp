@@ -18,8 +18,8 @@ namespace stridor::integration {
 enum class StickLimit { whole, fallen };
 
 /// Largest T/N [1] of a stuck contact, without sign, that keeps it from slipping that way; one that has fallen is that
-/// of the slip.
-double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit);
+/// of the slip, and knows no rest. `grown` [1] is what rest has added to it.
+double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit, double grown = 0.0);
 
 /// A contact in a trial of states: what its state makes of its push (forces or impulses) and of its rates.
 struct TriedContact {
@@ -29,6 +29,7 @@ struct TriedContact {
     double tangential = 0.0;     // likewise
     double gap_velocity = 0.0;   // [m/s] afterwards
     double slip_velocity = 0.0;  // [m/s] likewise
+    double grown = 0.0;          // [1] what rest has added to its limit, if it stuck before
 };
 
 /// What pushes and rates of a trial are held against: the largest of all contacts, and the share of it that is zero.

@@ -24,6 +24,7 @@ void put_joints(Case& c, const EndState& state) {
         parameters::JointStart& start = c.joints[k].start;
         start = {state.displacement[2 * k], state.displacement[2 * k + 1], state.velocity[2 * k],
                  state.velocity[2 * k + 1]};
+        if (!state.rested.empty()) c.joints[k].contact.rested = state.rested[k];
         if (state.contacts[k] == ContactState::separation) {
             start.normal = std::max(start.normal, c.plate.initial_normal);
             continue;
@@ -48,6 +49,8 @@ Case begun_at(Case c, const EndState& state) {
     parameters::OwnStructure own = *c.own_structure;
     own.initial_displacement = state.displacement;
     own.initial_velocity = state.velocity;
+    for (std::size_t k = 0; k < state.rested.size(); ++k)
+        own.contacts[k].rested = state.rested[k];
     c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
     return c;
 }

@@ -28,6 +28,7 @@ struct EndState {
     std::vector<double> displacement{};           // [m] from the preloaded rest, shape [dof]
     std::vector<double> velocity{};               // [m/s] shape [dof]
     std::vector<model::ContactState> contacts{};  // shape [contact]
+    std::vector<double> rested{};  // [s] for which each has stuck, shape [contact]; empty: rest changes nothing
     // of an engine with steps one for each step that it compares, and for each formulation
     std::vector<EngineMemory> memory{};
 };

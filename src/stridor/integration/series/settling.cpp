@@ -63,6 +63,16 @@ BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& blo
     return series;
 }
 
+void add_growth(const ModalContact& contact, const TaylorBlock& block, const BlockSeries& normal_force, double rested,
+                const BlockStretch& stretch, BlockSeries& function) {
+    const auto at = [&](double theta) { return model::grown(contact.rest, rested + theta * block.length()); };
+    const double begin = at(stretch.from), slope = (at(stretch.to) - begin) / (stretch.to - stretch.from);
+    const double level = begin - slope * stretch.from;
+    for (std::size_t m = function.size(); m-- > 1;)
+        function[m] += level * normal_force[m] + slope * normal_force[m - 1];
+    function[0] += level * normal_force[0];
+}
+
 Settling::Settling(const ModalStructure& structure, double step)
     : structure_(structure),
       block_(structure, step),
@@ -140,6 +150,8 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
         if (k == fired || (state.set[k] == ContactMode::open && is_near && meeting.gap_velocity[k] < 0.0))
             meeting.mode[k] = ContactMode::stick;
     }
+    for (std::size_t k = 0; k < state.rested.size(); ++k)
+        meeting.grown.push_back(model::grown(structure_.contacts[k].rest, state.rested[k]));
     const std::optional<ContactImpulses> impulses = contact_impulses(structure_, meeting);
     if (!impulses) {
         possible_ = modes_of_touching(meeting.touches);

@@ -30,6 +30,8 @@ struct TaylorState {
     ContactSet set;         // shape [contact]
     // of each event function the number of first coefficients that are zero: the event it began with
     std::vector<std::array<int, most_functions>> dropped;  // shape [contact]
+    // [s] for which each contact has stuck, 0 for others; shape [contact]; empty: rest changes nothing
+    std::vector<double> rested{};
 };
 
 /// What counts as zero of the coefficients of an event function: those that the state itself gives (gap and its rate,
@@ -131,6 +133,18 @@ private:
 /// that of the slip.
 BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& block, std::size_t contact,
                          ContactMode mode, std::size_t function, bool has_broken = false);
+
+/// A stretch of a block.
+struct BlockStretch {
+    double from = 0.0;  // [1]
+    double to = 1.0;    // [1] above it
+};
+
+/// Adds to an event function of a stick what rest has added to its limit, times N: by the chord over that stretch of
+/// the block. The limit lies above its chords and below what they are beyond: so a zero of the sum comes no later than
+/// that of the function, and from where the function stays positive not before it.
+void add_growth(const ModalContact& contact, const TaylorBlock& block, const BlockSeries& normal_force, double rested,
+                const BlockStretch& stretch, BlockSeries& function);
 
 inline constexpr int settling_order = 6;            // of the series that decide at an event
 inline constexpr double function_rounding = 1e-11;  // [1] of the largest coefficient: what is zero

@@ -75,6 +75,10 @@ void Settling::look(const TaylorState& state, std::size_t contact, Violation& wo
     const ContactMode mode = state.set[contact];
     for (std::size_t f = 0; f < event_functions(mode); ++f) {
         BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
+        const bool grows = mode == ContactMode::stick && f > 0 && !state.rested.empty() && !broken_[contact];
+        if (grows)
+            add_growth(structure_.contacts[contact], block_, block_.normal_force(contact), state.rested[contact], {},
+                       c);
         const double most = largest(c);
         // below the surface by rounding, it touches: its rate says whether it closes
         if (mode == ContactMode::open) c[0] = std::max(0.0, c[0]);

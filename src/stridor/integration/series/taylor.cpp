@@ -5,8 +5,9 @@
 //     slip    N -> separation                 sigma w -> stick if |T| <= mu_s N there, else slip the other way
 //     stick   N -> separation                 mu_s N -+ T -> slip with sign(w) = -sign(T)
 //
-// The first zero of all functions ends the block; `Settling` says how the contacts go on. What lies within a block
-// (samples) is evaluated from its beginning and never changes it; ends of spans and corners of the drive end it.
+// with what rest has added to mu_s. The first zero of all functions ends the block; `Settling` says how the contacts go
+// on. What lies within a block (samples) is evaluated from its beginning and never changes it; ends of spans and corners
+// of the drive end it.
 
 #include "stridor/integration/series/taylor.hpp"
 
@@ -63,6 +64,12 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
                                    : begins_open(start, structure_.number[k]))
             state_.set[k] = ContactMode::open;
     state_.dropped.resize(structure_.contacts.size());
+    const auto does_grow = [](const ModalContact& contact) { return grows(contact.rest); };
+    if (std::any_of(structure_.contacts.begin(), structure_.contacts.end(), does_grow)) {
+        for (const ModalContact& contact : structure_.contacts)
+            stuck_since_.push_back(-contact.rest.before);
+        let_rest();
+    }
     told_ = state_.set;
     intervals_.resize(structure_.contacts.size());
     handover_ = start.handover;
@@ -98,17 +105,67 @@ double TaylorRun::next_boundary() const {
     return end;
 }
 
+// how long each contact has stuck by now
+void TaylorRun::let_rest() {
+    state_.rested.resize(stuck_since_.size());
+    for (std::size_t k = 0; k < stuck_since_.size(); ++k)
+        state_.rested[k] = state_.set[k] == ContactMode::stick ? time_ - stuck_since_[k] : 0.0;
+}
+
+// The first zero of (mu_s + g) N -+ T, whose g grows with rest: none lies before that of a chord of g. The chord from
+// there on lies nearer, and so on; the last billionth of the block is bracketed and halved.
+double TaylorRun::growing_limit(std::size_t contact, std::size_t function, int dropped, double reach) const {
+    constexpr double near = 1e-9;    // [1]
+    constexpr int most_chords = 64;  // each leaves a small share of the distance, unless the limit grows as T does
+    const ModalContact& law = structure_.contacts[contact];
+    const BlockSeries& N = block_.normal_force(contact);
+    const BlockSeries at_once = event_series(structure_, block_, contact, ContactMode::stick, function);
+    const auto value = [&](double theta) {
+        const double rested = state_.rested[contact] + theta * block_.length();
+        return value_of(at_once, theta) + model::grown(law.rest, rested) * value_of(N, theta);
+    };
+    double from = 0.0;
+    for (int chord = 0; chord < most_chords && reach - from > near; ++chord) {
+        BlockSeries c = at_once;
+        add_growth(law, block_, N, state_.rested[contact], {from, reach}, c);
+        const double zero = first_zero(c, dropped, reach);
+        if (zero == no_zero || zero == no_polynomial) return zero;
+        const bool is_near = zero - from <= near;
+        from = std::max(from, zero);
+        if (is_near) break;
+    }
+    double to = from, width = near;
+    for (; value(to) > 0.0 || (dropped > 0 && to == 0.0); width *= 2.0) {
+        if (to >= reach) return no_zero;
+        from = to;
+        to = std::min(reach, to + width);
+    }
+    while (to - from > std::max(1e-17, 0x1p-52 * to)) {
+        const double middle = 0.5 * (from + to);
+        (value(middle) > 0.0 ? from : to) = middle;
+    }
+    return to;
+}
+
 TaylorRun::Firing TaylorRun::first_firing(double reach) {
     Firing first;
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         const ContactMode mode = state_.set[k];
+        const bool grows = mode == ContactMode::stick && !state_.rested.empty();
         for (std::size_t f = 0; f < event_functions(mode); ++f) {
-            const BlockSeries c = event_series(structure_, block_, k, mode, f);
+            BlockSeries c = event_series(structure_, block_, k, mode, f);
             const int dropped = is_fresh_ ? state_.dropped[k][f] : 0;
             const double within = std::min(reach, first.theta);
-            const double theta = dropped > most_dropped
-                                     ? late_zero(c, settling_.zero_of(block_, state_, k, f, c).later, within)
-                                     : first_zero(c, dropped, within);
+            double theta = no_zero;
+            if (grows && f > 0 && dropped <= most_dropped) {
+                theta = growing_limit(k, f, dropped, within);
+            } else if (dropped > most_dropped) {
+                if (grows && f > 0)
+                    add_growth(structure_.contacts[k], block_, block_.normal_force(k), state_.rested[k], {}, c);
+                theta = late_zero(c, settling_.zero_of(block_, state_, k, f, c).later, within);
+            } else {
+                theta = first_zero(c, dropped, within);
+            }
             if (theta == no_polynomial) return {0.0, k, f, true};
             if (theta < first.theta) first = {theta, k, f, false};
         }
@@ -127,6 +184,7 @@ void TaylorRun::move(double theta) {
 void TaylorRun::tell() {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         if (contact_of(state_.set[k]) == contact_of(told_[k]) && time_ > 0.0) continue;
+        if (!stuck_since_.empty() && time_ > 0.0) stuck_since_[k] = time_;
         const ModalContact& c = structure_.contacts[k];
         double w = -c.drive_share * surface_[0], rate = 0.0;
         for (std::size_t j = 0; j < c.tangent.size(); ++j) {
@@ -139,6 +197,7 @@ void TaylorRun::tell() {
         if (is_measuring_) period_changes_.push_back({structure_.number[k], interval});
     }
     told_ = state_.set;
+    let_rest();
 }
 
 Outcome TaylorRun::without_forces(Settled how) const {
@@ -190,7 +249,7 @@ void TaylorRun::pass(Memory& pass) {
     pass.below(span_, spans().size());
     pass.below(corner_, drive_.profile().times.size() + 1);
     pass(told_), pass(intervals_), pass(blocks_), pass(blocks_since_event_), pass(work_), pass(initial_energy_);
-    pass(travel_.initial_q), pass(travel_.most_q), pass(travel_.most_v);
+    pass(travel_.initial_q), pass(travel_.most_q), pass(travel_.most_v), pass(stuck_since_), pass(state_.rested);
     pile_up_.pass(pass);
     pass(crowd_begin_), pass(crowd_events_);
     settling_.pass(pass);
@@ -206,6 +265,10 @@ void TaylorRun::hand_over() {
     to.contacts.resize(state_.set.size());
     for (std::size_t k = 0; k < state_.set.size(); ++k)
         to.contacts[structure_.number[k]] = contact_of(state_.set[k]);
+    let_rest();
+    to.rested.resize(state_.rested.size());
+    for (std::size_t k = 0; k < state_.rested.size(); ++k)
+        to.rested[structure_.number[k]] = state_.rested[k];
 }
 
 Outcome TaylorRun::advance(const std::stop_token& stop) {
@@ -251,6 +314,7 @@ Outcome TaylorRun::go_on(const std::stop_token& stop) {
         if (fires || ends_at_boundary) press(theta);
         move(theta);
         time_ = ends_at_boundary ? boundary : time_ + theta * length;
+        let_rest();
         if (fires) {
             if (const auto outcome = fire(firing)) return *outcome;
             if (watch_for_cycle(stop))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stridor::integration {
 
@@ -72,13 +73,19 @@ double TaylorRun::distance(const Event& a, const Event& b) const {
             std::sqrt(std::abs(structure_.square_frequency[j])) * std::abs(a.q[j] - b.q[j]) + std::abs(a.v[j] - b.v[j]);
         scale += std::abs(a.v[j]);
     }
+    // a limit that still grows is no return: it only rises, but what it ends may come later
+    for (std::size_t k = 0; k < a.grown.size(); ++k)
+        difference += std::abs(a.grown[k] - b.grown[k]) * scale;
     return difference / scale;
 }
 
 bool TaylorRun::watch_for_cycle(const std::stop_token& stop) {
     if (!may_end_early_) return false;
     using Finding = ReturnWatch<Event>::Finding;
-    const Finding finding = watch_.note({time_, state_.set, state_.q, state_.v},
+    std::vector<double> grown;
+    for (std::size_t k = 0; k < state_.rested.size(); ++k)
+        grown.push_back(model::grown(structure_.contacts[k].rest, state_.rested[k]));
+    const Finding finding = watch_.note({time_, state_.set, state_.q, state_.v, std::move(grown)},
                                         [this](const Event& a, const Event& b) { return distance(a, b); });
     is_measuring_ = watch_.is_returning();
     if (finding == Finding::first_return) {

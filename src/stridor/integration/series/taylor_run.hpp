@@ -44,6 +44,7 @@ private:
         double time = 0.0;  // [s]
         std::vector<ContactMode> mode;
         std::vector<double> q, v;
+        std::vector<double> grown;  // [1] of the limits by rest, shape [contact]; empty: nothing
     };
 
     Outcome advance(const std::stop_token& stop);
@@ -52,6 +53,8 @@ private:
     SurfaceSeries surface(double time) const;
     double next_boundary() const;
     Firing first_firing(double reach);
+    double growing_limit(std::size_t contact, std::size_t function, int dropped, double reach) const;
+    void let_rest();
     void account(double theta);
     void add_normal_impulse(double theta, Sums& sums) const;
     void press(double theta);
@@ -82,6 +85,7 @@ private:
     TaylorBlock block_;
     Settling settling_;
     TaylorState state_;
+    std::vector<double> stuck_since_;  // [s] when each stick began, shape [contact]; empty: rest changes nothing
     SurfaceSeries surface_{};
     bool is_fresh_ = true;  // the block begins at an event
     double time_ = 0.0;     // [s]

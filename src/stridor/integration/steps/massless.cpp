@@ -136,6 +136,7 @@ bool MasslessRun::settle(double surface_travel) {
             free_rates_[row] = (free_[row] - place_[row] - state.share[row] * surface_travel) / state.step;
         }
     }
+    state.let_rest(contacts_);
     if (!contacts_.solve(free_rates_, touches_)) return false;
     before_ = state.forces;
     for (const std::size_t row : all_)

@@ -226,6 +226,7 @@ bool MoreauRun::advance() {
     if (!state.shaken.empty()) shake();
     find_touching();
     find_free_rates(end_velocity);
+    state.let_rest(contacts_);
     if (!contacts_.solve(free_rates_, touches_)) return false;
     const std::vector<ContactMode>& set = contacts_.set();
     if (set != state.set) press();

@@ -38,6 +38,7 @@ StepContacts::StepContacts(const ModalStructure& structure, Eigen::MatrixXd resp
       friction_(plan_.rows(), 0.0),
       direction_(set.size(), {1.0, 0.0}),
       tried_(set.size()),
+      grown_(set.size(), 0.0),
       force_(plan_.rows(), 0.0),
       rate_(plan_.rows(), 0.0),
       is_state_wise_(std::all_of(structure.contacts.begin(), structure.contacts.end(),
@@ -225,8 +226,10 @@ void StepContacts::forget(std::size_t contact) {
 
 StepContacts::Search StepContacts::search(const std::vector<double>& free_rates, const std::vector<char>& touches) {
     const std::size_t p = set_.size();
-    for (TriedContact& each : tried_)
-        each.limit = StickLimit::whole;
+    for (std::size_t k = 0; k < p; ++k) {
+        tried_[k].limit = StickLimit::whole;
+        tried_[k].grown = grown_[k];
+    }
     for (std::size_t k = 0; k < p; ++k)
         if (is_pressed_by(k, set_[k])) return Search::singular;
     tableau_.set(free_rates);

@@ -40,6 +40,9 @@ public:
     /// After a step without forces: contacts that friction presses without end, if that is why.
     std::vector<std::size_t> pressed(const std::vector<char>& touches) const;
 
+    /// What rest has added to the contact's limit [1] from now on.
+    void grow(std::size_t contact, double by) { grown_[contact] = by; }
+
     const std::vector<ContactMode>& set() const { return set_; }
     double force(std::size_t row) const { return force_[row]; }  // [N] along a normal or tangent
     double rate(std::size_t row) const { return rate_[row]; }    // [m/s] likewise, at its end: of the gap, or of slip
@@ -85,6 +88,7 @@ private:
     std::vector<double> friction_;                  // [1] share of N that T has beside what follows, shape [row]
     std::vector<std::array<double, 2>> direction_;  // [1] of a slip of two tangents, length one, shape [contact]
     std::vector<TriedContact> tried_;               // shape [contact]
+    std::vector<double> grown_;                     // [1] of the limits by rest, shape [contact]
     std::vector<double> force_, rate_;              // of the trial, shape [row]
     bool is_state_wise_;                            // all laws of friction
     std::vector<std::array<bool, 2>> pressed_;      // Painleve: by a slip along the tangent, shape [contact][slip]

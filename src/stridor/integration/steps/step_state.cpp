@@ -30,6 +30,8 @@ StepState::StepState(const model::Structure& structure, ModalStructure modes, co
       handover(start.handover),
       travel{q, std::vector<double>(modal.modes(), 0.0), std::vector<double>(modal.modes(), 0.0)} {
     if (structure.shaken.size() != 0) shaken = padded(modal.shapes.transpose() * structure.shaken, rows.padded_modes());
+    for (const ModalContact& contact : modal.contacts)
+        grows = grows || model::grows(contact.rest);
     for (std::size_t row = 0; row < forces.size(); ++row)
         share.push_back(drive_share_of(modal.contacts, plan(), row));
 }
@@ -60,6 +62,13 @@ void StepState::note_dashpots() {
 void StepState::tell(std::size_t contact, ContactMode mode, double slip_velocity, double gap_velocity) {
     told[contact] = {contact_of(mode), time(), 0.0, slip_velocity, gap_velocity};
     recorder.enter(modal.number[contact], told[contact]);
+}
+
+double StepState::rested(std::size_t contact) const {
+    if (set[contact] != ContactMode::stick) return 0.0;
+    // until the first step nothing has been told: what sticks has stuck before
+    const double since = n == 0 ? 0.0 : told[contact].from;
+    return time() - since + (since == 0.0 ? modal.contacts[contact].rest.before : 0.0);
 }
 
 Eigen::VectorXd StepState::acceleration(const std::vector<double>& at_q, const std::vector<double>& at_v) const {

@@ -55,6 +55,7 @@ struct StepState {
     EnergyBalance work;
     std::vector<record::ContactInterval> told;  // the present states, as the recorder knows them, shape [contact]
     Handover* handover = nullptr;
+    bool grows = false;           // static friction of some contact, with rest
     double initial_energy = 0.0;  // [J]
     ModalTravel travel;
 
@@ -81,6 +82,15 @@ struct StepState {
 
     /// A contact enters a state at the step's begin, with this slip velocity and this rate of its gap [m/s].
     void tell(std::size_t contact, ContactMode mode, double slip_velocity, double gap_velocity);
+
+    /// For how long [s] a contact has stuck at this instant, the time before the start included; 0 if it does not.
+    double rested(std::size_t contact) const;
+
+    /// Tells the forces of the next step how far the limits have grown by rest.
+    void let_rest(StepContacts& contacts) const {
+        for (std::size_t k = 0; grows && k < set.size(); ++k)
+            contacts.grow(k, model::grown(modal.contacts[k].rest, rested(k)));
+    }
 
     /// Accelerations [1/s²] of the modes at q and v, under `push`.
     Eigen::VectorXd acceleration(const std::vector<double>& at_q, const std::vector<double>& at_v) const;
@@ -166,8 +176,11 @@ Motion motion_of(Formulation run, const std::stop_token& stop) {
     if (Handover* handover = run.state.handover; handover != nullptr && has_result(ended)) {
         std::tie(handover->to.displacement, handover->to.velocity) = run.place();
         handover->to.contacts.resize(run.state.set.size());
-        for (std::size_t k = 0; k < run.state.set.size(); ++k)
+        handover->to.rested.resize(run.state.grows ? run.state.set.size() : 0);
+        for (std::size_t k = 0; k < run.state.set.size(); ++k) {
             handover->to.contacts[run.state.modal.number[k]] = contact_of(run.state.set[k]);
+            if (run.state.grows) handover->to.rested[run.state.modal.number[k]] = run.state.rested(k);
+        }
         keep(handover, [&](Memory& memory) { run.pass(memory); });
     }
     const EnergyBalance balance = run.state.balance(run.stored());

@@ -28,6 +28,7 @@ std::string checked_text(const Json& document) {
     Json checked = Json::object();
     for (const char* member : {"case", "time", "displacement", "velocity", "contacts", "memory"})
         checked[member] = document.contains(member) ? document[member] : Json();
+    if (document.contains("rested")) checked["rested"] = document["rested"];
     return checked.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -94,6 +95,10 @@ std::string end_state_json(const parameters::Case& c, const EndState& state) {
     });
     document["memory"] = state.memory;
     document["units"] = {{"time", "s"}, {"displacement", "m"}, {"velocity", "m/s"}};
+    if (!state.rested.empty()) {
+        document["rested"] = state.rested;
+        document["units"]["rested"] = "s";
+    }
     document["checksum"] = base::sha256_text(checked_text(document));
     return base::text_of(document);
 }
@@ -119,6 +124,13 @@ ReadEndState read_end_state(std::string_view text, const std::string& name) {
     read.state.displacement = numbers_in(document["displacement"], name, "displacement");
     read.state.velocity = numbers_in(document["velocity"], name, "velocity");
     read.state.contacts = states_in(document["contacts"], name);
+    if (document.contains("rested")) {
+        read.state.rested = numbers_in(document["rested"], name, "rested");
+        const auto is_time = [](double rested) { return rested >= 0.0; };
+        if (read.state.rested.size() != read.state.contacts.size() ||
+            !std::all_of(read.state.rested.begin(), read.state.rested.end(), is_time))
+            refuse_end_state(name, "rested is no time for each contact");
+    }
     if (read.state.displacement.size() != read.state.velocity.size())
         refuse_end_state(name, "it has more displacements than velocities, or fewer");
     if (!document["memory"].is_array()) refuse_end_state(name, "memory is no list");

@@ -29,6 +29,8 @@ constexpr std::array contact_table{
                  &OwnContact::second_drive_share, any, Need::optional, nullptr, "second_tangent"},
     ContactField{"interface", "", "contacts of one name are judged as a whole", &OwnContact::interface},
     ContactField{"position", "m", "where it is, for drawings; it changes no result", &OwnContact::position},
+    ContactField{"initial_rest", "s", "for which it has stuck at the start", &OwnContact::rested, not_negative,
+                 Need::optional, &Contact::rested},
 };
 
 }  // namespace

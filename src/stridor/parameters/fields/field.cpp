@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::array<std::string_view, 8> friction_names{"coulomb",           "directional", "linear", "stribeck",
                                                          "stribeck-rational", "table",       "tanh",   "arctan"};
+constexpr std::array<std::string_view, 3> rest_names{"none", "logarithmic", "kato"};
 constexpr std::array<std::string_view, 2> creeping_names{"undecided", "judged"};
 constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
@@ -184,6 +185,19 @@ const std::array table{
           has_friction_each_way},
     Field{"contact", "regularisation", "v_r", "slip velocity over which regularised friction rises",
           quantity<&PlateJoint::contact, &Contact::regularisation>("m/s", positive, octaves(1e-4, 1e-2)), has_no_stick},
+    Field{"contact", "rest", "", "how mu_s grows with the time of rest",
+          choice<&PlateJoint::contact, &Contact::rest, RestKind>(rest_names, Choice::Canonical::unless_first),
+          has_stick},
+    Field{"contact", "rest_growth", "A_r", "growth of mu_s for each factor e of the time of rest; kato: in all",
+          quantity<&PlateJoint::contact, &Contact::rest_growth>("1", not_negative, between(0.0, 0.2)), has_rest},
+    Field{"contact", "rest_time", "t_0", "time of rest after which mu_s has grown",
+          quantity<&PlateJoint::contact, &Contact::rest_time>("s", positive, octaves(0.1, 10.0)), has_rest},
+    Field{"contact", "rest_exponent", "m_r", "power of the time of rest over t_0",
+          quantity<&PlateJoint::contact, &Contact::rest_exponent>("1", Range{0.0, 1.0, Range::Low::open},
+                                                                  between(0.2, 1.0)),
+          has_rest_exponent},
+    Field{"contact", "initial_rest", "t_r", "time for which the contact has stuck when the run begins",
+          quantity<&PlateJoint::contact, &Contact::rested>("s", not_negative), has_rest},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&PlateJoint::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",

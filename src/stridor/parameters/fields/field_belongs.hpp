@@ -36,8 +36,17 @@ inline bool has_friction_table(CaseView at) {
 inline bool has_no_stick(CaseView at) {
     return is_regularised(at.own().contact.friction);
 }
+inline bool has_stick(CaseView at) {
+    return !has_no_stick(at);
+}
+inline bool has_rest(CaseView at) {
+    return grows_with_rest(at.own().contact);
+}
+inline bool has_rest_exponent(CaseView at) {
+    return has_rest(at) && at.own().contact.rest == RestKind::kato;
+}
 inline bool has_static_friction(CaseView at) {
-    return !has_no_stick(at) && !all_say<&OwnContact::static_friction>(at);
+    return has_stick(at) && !all_say<&OwnContact::static_friction>(at);
 }
 inline bool has_kinetic_friction(CaseView at) {
     return !has_friction_table(at) && !all_say<&OwnContact::kinetic_friction>(at);

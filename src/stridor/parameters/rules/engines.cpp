@@ -76,6 +76,11 @@ const Lack lacks[] = {
      "has no power series of this law of friction",
      "where a slip begins it is not analytic, or it never sticks",
      "Set run.engine = \"moreau\", or another law; a stribeck_exponent that is a whole number has one."},
+    {{Demand::growing_friction},
+     {Method::exact},
+     "knows no static friction that grows with rest",
+     "its formulas have one limit for all of a stick",
+     "Use the Taylor engine."},
     {{Demand::massless_rows},
      {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
      "needs mass in each row",
@@ -97,9 +102,10 @@ bool has_series(const Contact& contact) {
     return !is_regularised(contact.friction);
 }
 
-// beyond the paper's joint, and where friction changes with the slip velocity
+// beyond the paper's joint, and where friction changes with the slip velocity or with rest
 bool needs_series(const Case& c) {
-    return c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction);
+    return c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction) ||
+           grows_with_rest(c.contact());
 }
 
 }  // namespace
@@ -171,6 +177,7 @@ std::vector<Asked> demands_of(CaseView at) {
     if (contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
     if (!is_state_wise(contact.friction)) asked.push_back({Demand::other_friction});
     if (!has_series(contact)) asked.push_back({Demand::unexpanded_friction});
+    if (grows_with_rest(contact)) asked.push_back({Demand::growing_friction});
     return asked;
 }
 
@@ -183,6 +190,8 @@ DemandKeys keys_of(Demand demand) {
         case Demand::other_friction:
         case Demand::unexpanded_friction:
             return {"contact.friction", {"run.engine", "run.formulation"}};
+        case Demand::growing_friction:
+            return {"contact.rest", {"run.engine"}};
         case Demand::imposed_force:
             return {"run.engine", {"drive.kind"}};
         case Demand::massless_rows:

@@ -14,7 +14,7 @@
 namespace stridor::parameters {
 
 /// The methods behind `run.engine` and `run.formulation`. A case goes to `taylor` where its engine is exact and more
-/// than one joint, or a structure of one's own, moves, or where friction changes with the slip velocity.
+/// than one joint, or a structure of one's own, moves, or where friction changes with the slip velocity or with rest.
 enum class Method { exact, taylor, moreau, massless, beta_2 };
 inline constexpr std::array<std::string_view, 5> method_names{"exact", "Taylor", "moreau", "massless", "beta_2"};
 
@@ -30,10 +30,11 @@ enum class Demand {
     other_impacts,        // than plastic ones
     other_friction,       // a coefficient that changes with the slip velocity: a law that is not state-wise
     unexpanded_friction,  // such a law without a power series along the motion
+    growing_friction,     // static friction that grows with rest
     massless_rows,        // rows without mass
     joint,                // the mass of a joint stands at its contact
 };
-inline constexpr std::array<std::string_view, 11> demand_names{
+inline constexpr std::array<std::string_view, 12> demand_names{
     "several contacts",
     "a structure of one's own",
     "any number of degrees of freedom",
@@ -43,6 +44,7 @@ inline constexpr std::array<std::string_view, 11> demand_names{
     "impacts other than plastic ones",
     "friction that changes with the slip velocity",
     "friction without a power series",
+    "static friction that grows with rest",
     "rows without mass",
     "the joint on a plate",
 };
