@@ -73,6 +73,12 @@ class Contact(Section):
     stribeck_velocity: Quantity
     stribeck_exponent: Quantity
     viscous_friction: Quantity
+    bristle_stiffness: Quantity
+    bristle_damping: Quantity
+    direct_effect: Quantity
+    evolution_effect: Quantity
+    slip_length: Quantity
+    reference_velocity: Quantity
     friction_table: Word
     interpolation: Word
     static_friction_coming: Quantity
@@ -86,6 +92,7 @@ class Contact(Section):
     impact: Word
     restitution: Quantity
     initial_state: Word
+    initial_friction_state: Quantity
     def __getitem__(self, name: str) -> Contact: ...
 
 class Temperature(Section):

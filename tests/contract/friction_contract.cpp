@@ -13,6 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ostream>
+#include <string>
+#include <variant>
 #include <vector>
 
 namespace stridor::contract {
@@ -70,7 +73,7 @@ TEST_P(FrictionContract, HasTheSlopeOfItsRatio) {
 }
 
 TEST_P(FrictionContract, IsStateWiseWhereTheVelocityOfSlipChangesNothing) {
-    bool changes = false;
+    bool changes = has_friction_state(law());  // it follows the past
     for (const Slip way : slips)
         for (const double speed : speeds)
             changes = changes || slip_ratio(law(), way, sign_of(way) * speed) != slip_ratio(law(), way);
@@ -80,6 +83,7 @@ TEST_P(FrictionContract, IsStateWiseWhereTheVelocityOfSlipChangesNothing) {
 // along a speed of slip that is a cubic of time, at a fifth of the way to where the next power counts
 TEST_P(FrictionContract, HasAJetThatFollowsItsResistance) {
     if (!has_jet(law())) return;  // engines refuse to expand it
+    if (has_friction_state(law())) return;
     constexpr std::size_t count = 25;
     for (const Slip way : slips)
         for (const double speed : speeds)
@@ -164,8 +168,14 @@ TEST_P(FrictionContract, StandsInTheMotionOfTheEnginesThatKnowIt) {
         const record::Request request{record::KeepHistory::no, {0.0, 0.2, 1e-4}};
         const auto recorder = [&] { return record::Recorder(record::schedule(c), request, 2); };
         const integration::Start start{parameters::Initial::stuck, 0.0};
-        std::vector<integration::Motion> motions{
-            integration::integrate_beta_2(belt, c.drive, start, {1e-5, 0.5}, recorder())};
+        const auto by_steps = [&] {
+            return integration::integrate_beta_2(belt, c.drive, start, {1e-5, 0.5}, recorder());
+        };
+        if (has_friction_state(law())) {
+            EXPECT_TRUE(support::thrown_by(by_steps).says("the beta_2 engine knows no friction with a state"));
+            return;
+        }
+        std::vector<integration::Motion> motions{by_steps()};
         if (has_jet(law()))
             motions.push_back(integration::integrate_taylor(
                 belt, c.drive, integration::initial_state(belt, start, velocity), {}, recorder()));
@@ -180,6 +190,130 @@ TEST_P(FrictionContract, StandsInTheMotionOfTheEnginesThatKnowIt) {
         }
     }
 }
+
+// What a law with a friction state promises besides.
+struct StateUnderTest {
+    std::string name;
+    model::FrictionLaw law;
+    double speed = 1.0;  // [m/s] around which it changes
+};
+
+void PrintTo(const StateUnderTest& friction, std::ostream* out) {
+    *out << friction.name;
+}
+
+class FrictionStateContract : public testing::TestWithParam<StateUnderTest> {
+protected:
+    // calls a function with the law as it is
+    template <typename Function>
+    void with_law(Function function) const {
+        std::visit(
+            [&]<typename Law>(const Law& each) {
+                if constexpr (model::HasFrictionState<Law>) function(each);
+            },
+            GetParam().law);
+    }
+    std::array<double, 3> speeds() const { return {0.2 * GetParam().speed, GetParam().speed, 5.0 * GetParam().speed}; }
+};
+
+TEST_P(FrictionStateContract, IsAtRestInASteadySlip) {
+    with_law([&](const auto& law) {
+        for (const double speed : speeds()) {
+            const double state = law.steady_state(speed);
+            EXPECT_NEAR(law.state_rate(speed, state), 0.0, 1e-12 * std::abs(law.state_slopes(speed).rate_by_state));
+            for (const Slip way : slips)
+                EXPECT_NEAR(law.state_resistance(speed, state), law.resistance(way, speed), 1e-14);
+        }
+    });
+}
+
+TEST_P(FrictionStateContract, HasTheSlopesOfItsRateAndResistance) {
+    with_law([&](const auto& law) {
+        for (const double speed : speeds()) {
+            const double state = law.steady_state(speed);
+            const model::StateSlopes slopes = law.state_slopes(speed);
+            const double ds = 1e-5 * std::max(std::abs(state), GetParam().speed), dv = 1e-5 * speed;
+            const auto by_state = [&](auto of) { return (of(speed, state + ds) - of(speed, state - ds)) / (2.0 * ds); };
+            const auto by_speed = [&](auto of) { return (of(speed + dv, state) - of(speed - dv, state)) / (2.0 * dv); };
+            const auto rate = [&](double v, double z) { return law.state_rate(v, z); };
+            const auto resistance = [&](double v, double z) { return law.state_resistance(v, z); };
+            const auto is_near = [](double found, double wanted, double size) {
+                EXPECT_NEAR(found, wanted, 1e-5 * (std::abs(wanted) + size));
+            };
+            is_near(slopes.rate_by_state, by_state(rate), 0.0);
+            is_near(slopes.rate_by_speed, by_speed(rate), std::abs(slopes.rate_by_state) * ds / dv);
+            is_near(slopes.resistance_by_state, by_state(resistance), 0.0);
+            is_near(slopes.resistance_by_speed, by_speed(resistance), 1e-3 / speed);
+        }
+    });
+}
+
+// along a speed that is a parabola of time, by Runge and Kutta's method with steps whose error is below 1e-13
+TEST_P(FrictionStateContract, HasAJetThatFollowsItsState) {
+    constexpr std::size_t count = 25;
+    with_law([&](const auto& law) {
+        for (const double speed : speeds())
+            for (const double change : {0.5, -0.5}) {
+                const double rate = std::abs(law.state_slopes(speed).rate_by_state), span = 0.1 / rate;
+                const auto speed_at = [&](double t) { return speed * (1.0 + change * t / span * (1.0 + t / span)); };
+                const double begin = 0.7 * law.steady_state(speed) + 1e-3 * law.steady_state(2.0 * speed);
+                std::array<double, count> motion{speed, change * speed, change * speed};
+                model::FrictionJet jet(GetParam().law, Slip::forward, begin, span);
+                std::array<double, count> resistance{}, states{};
+                for (std::size_t m = 0; m < count; ++m) {
+                    resistance[m] = jet.next({motion.data(), m + 1});
+                    states[m] = jet.state();
+                }
+                constexpr int steps = 4000;
+                const double end = 0.1, h = end * span / steps;
+                double z = begin;
+                for (int n = 0; n < steps; ++n) {
+                    const double t = n * h;
+                    const double k1 = law.state_rate(speed_at(t), z);
+                    const double k2 = law.state_rate(speed_at(t + 0.5 * h), z + 0.5 * h * k1);
+                    const double k3 = law.state_rate(speed_at(t + 0.5 * h), z + 0.5 * h * k2);
+                    const double k4 = law.state_rate(speed_at(t + h), z + h * k3);
+                    z += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+                }
+                double state = 0.0, found = 0.0;
+                for (std::size_t m = count; m-- > 0;) {
+                    state = state * end + states[m];
+                    found = found * end + resistance[m];
+                }
+                EXPECT_NEAR(state, z, 1e-12 * std::abs(z)) << speed;
+                EXPECT_NEAR(found, law.state_resistance(speed_at(end * span), z), 1e-12 * std::abs(found)) << speed;
+            }
+    });
+}
+
+TEST_P(FrictionStateContract, HasTheSteadyStateOfItsWay) {
+    const model::FrictionLaw& law = GetParam().law;
+    EXPECT_TRUE(has_friction_state(law));
+    EXPECT_EQ(steady_friction_state(law, 0.0), 0.0);
+    for (const double speed : speeds())
+        EXPECT_EQ(steady_friction_state(law, -speed),
+                  state_sign(law, Slip::backward) * steady_friction_state(law, speed));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    States, FrictionStateContract,
+    testing::Values(
+        StateUnderTest{"lugre", model::LuGre{{1.5, 1.0, 1e-3, 2.0, 0.4}, 1e5, 316.0}, 1e-3},
+        StateUnderTest{"dahl", model::LuGre{{0.6, 0.6, 1.0, 1.0, 0.0}, 1e4, 0.0}, 0.1},
+        StateUnderTest{"dieterich",
+                       model::RateAndState{parameters::FrictionKind::dieterich, 0.6, 0.01, 0.015, 1e-5, 1e-3}, 1e-3},
+        StateUnderTest{"ruina", model::RateAndState{parameters::FrictionKind::ruina, 0.6, 0.01, 0.015, 1e-5, 1e-3},
+                       1e-2},
+        // so slow that its arsinh is no logarithm
+        StateUnderTest{"at_rest", model::RateAndState{parameters::FrictionKind::dieterich, 0.1, 0.1, 0.05, 1e-5, 1e-3},
+                       1e-3}),
+    testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(LuGre, FrictionContract,
+                         testing::Values(FrictionUnderTest{"bristles",
+                                                           model::LuGre{{0.8, 0.6, 0.1, 2.0, 0.01}, 1e5, 10.0}, 0.01},
+                                         FrictionUnderTest{"dahl", model::LuGre{{0.5, 0.5, 1.0, 1.0, 0.0}, 1e4, 0.0}}),
+                         testing::PrintToStringParamName());
 
 INSTANTIATE_TEST_SUITE_P(Coulomb, FrictionContract,
                          testing::Values(FrictionUnderTest{"two_coefficients", model::Coulomb{0.8, 0.6}},

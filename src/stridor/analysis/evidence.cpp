@@ -172,7 +172,8 @@ bool sticks_for_good(const Evidence& evidence) {
 
 bool slides_for_good(const Evidence& evidence) {
     const record::Outlook& outlook = evidence.ending.outlook;
-    const bool slides_throughout = evidence.judged_rates.slip >= 1.0 && std::isnan(outlook.growth);
+    const bool slides_throughout =
+        evidence.judged_rates.slip >= 1.0 && std::isnan(outlook.growth) && outlook.future != record::Future::creeps;
     return outlook.future == record::Future::slides || slides_throughout;
 }
 

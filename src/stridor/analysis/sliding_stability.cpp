@@ -73,16 +73,25 @@ void add_growths(SlidingMode& mode, const SteadySliding& sliding, const model::S
     if (energy == 0.0) return;
     mode.damping_growth = -0.25 * rate * energy_of(motion.damping, mode.shape) / energy;
     if (sliding.found.closed.empty()) return;
-    const VectorXcd rest = lambda * lambda * (motion.mass * mode.shape) + lambda * (motion.damping * mode.shape) +
-                           motion.stiffness * mode.shape;
+    VectorXcd rest = lambda * lambda * (motion.mass * mode.shape) + lambda * (motion.damping * mode.shape) +
+                     motion.stiffness * mode.shape;
+    const auto slip_of = [&](const Eigen::VectorXd& tangent) -> std::complex<double> {
+        return lambda * tangent.cast<std::complex<double>>().dot(mode.shape);
+    };
+    // by their states
+    std::vector<std::complex<double>> states(structure.contacts.size());
+    for (const model::SlidingState& state : motion.states) {
+        const std::complex<double> z = state.rate_by_slip * slip_of(state.tangent) / (lambda - state.rate);
+        states[state.contact] = state.force * z;
+        rest -= states[state.contact] * state.tangent;
+    }
     const MatrixXd coupling = motion.held.transpose() * motion.forces;
     const VectorXcd normal_forces =
         coupling.cast<std::complex<double>>().partialPivLu().solve(motion.held.transpose() * rest);
     for (Index k = 0; k < normal_forces.size(); ++k) {
         const std::size_t contact = sliding.found.closed[static_cast<std::size_t>(k)];
-        const std::complex<double> friction = sliding.ratios[contact] * normal_forces(k);
-        const std::complex<double> slip =
-            lambda * structure.contacts[contact].tangent.cast<std::complex<double>>().dot(mode.shape);
+        const std::complex<double> friction = sliding.ratios[contact] * normal_forces(k) + states[contact];
+        const std::complex<double> slip = slip_of(structure.contacts[contact].tangent);
         mode.contact_growth[contact] = 0.25 * (friction * std::conj(slip)).real() / energy;
     }
 }

@@ -109,7 +109,7 @@ inline constexpr std::size_t most_sliding_modes = 4;
 
 /// Returns the modes of steady sliding in one direction that grow fastest: all growing ones up to `most`, or the least
 /// damped one if none grows, or no mode if no motion is free. Costs several times as much as `sliding_stability`.
-/// Friction that changes with the slip velocity, at this `speed` [m/s], counts as damping.
+/// Friction that changes with the slip velocity at once, at this `speed` [m/s], counts as damping.
 SlidingModes sliding_modes(const model::Structure& structure, parameters::Direction direction,
                            std::size_t most = most_sliding_modes, double speed = 1.0);
 

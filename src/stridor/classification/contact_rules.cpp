@@ -290,6 +290,9 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
         return decide({Category::undecided, Quiet::no,
                        "its friction is regularised: it creeps where it should stick, so its states say nothing of a "
                        "rubbing contact; verdict.creeping = \"judged\" judges them all the same"});
+    if (evidence.ending.outlook.future == Future::creeps)
+        return decide({Category::undecided, Quiet::no,
+                       "its friction has a state: it creeps where others stick, so contact states tell no noise"});
     if (const std::optional<Decision> over = settled(evidence, thresholds)) return decide(*over);
     const bool grows = !std::isnan(evidence.ending.outlook.growth);
     if (grows && rates.slip >= 1.0) return decide(growing(evidence.ending.outlook));

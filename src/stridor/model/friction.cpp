@@ -175,6 +175,15 @@ FrictionLaw friction_law(const parameters::Contact& contact) {
         case parameters::FrictionKind::tanh:
         case parameters::FrictionKind::arctan:
             return Regularised{contact.kinetic_friction, contact.regularisation, contact.friction};
+        case parameters::FrictionKind::lugre:
+            return LuGre{{contact.static_friction, contact.kinetic_friction, contact.stribeck_velocity,
+                          contact.stribeck_exponent, contact.viscous_friction},
+                         contact.bristle_stiffness,
+                         contact.bristle_damping};
+        case parameters::FrictionKind::dieterich:
+        case parameters::FrictionKind::ruina:
+            return RateAndState{contact.friction,         contact.kinetic_friction, contact.direct_effect,
+                                contact.evolution_effect, contact.slip_length,      contact.reference_velocity};
     }
     return {};
 }

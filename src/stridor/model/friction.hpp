@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -19,6 +21,10 @@
 /// motion within a contact state is then linear, which is what the exact engine solves. Another law has a *jet*, the
 /// power series of its resistance along that of the slip velocity, for the Taylor engine. A new law is a struct here
 /// and its name in the list; tests/contract/friction_contract.cpp says what it must keep.
+///
+/// A law may have a *friction state* [1], a number of the contact that changes with the slip: what bent bristles bear.
+/// Then friction follows from speed and state. Limit, resistance and slope are those of a steady slip, whose state does
+/// not change. Such a contact never sticks by itself: it creeps.
 namespace stridor::model {
 
 /// The two ways in which a closed contact slips.
@@ -66,7 +72,9 @@ struct JetTerms {
     std::span<const double> speed{};                                 // [m/s] of slip; its last is of the wanted power
     SpeedStretch stretch{};                                          // whose function is expanded
     std::array<double, most_jet_coefficients> resistance{};          // [1] those found
-    std::array<std::array<double, most_jet_coefficients>, 8> own{};  // series that the law keeps beside it
+    std::array<double, most_jet_coefficients> state{};               // [1] of a law with one, up to the wanted power
+    std::array<double, most_jet_coefficients> rate{};                // [1/s] of it: the law adds its own
+    std::array<std::array<double, most_jet_coefficients>, 9> own{};  // series that the law keeps beside it
 
     std::size_t last() const { return speed.size() - 1; }
 };
@@ -221,7 +229,78 @@ struct Regularised {
     bool operator==(const Regularised&) const = default;
 };
 
-using FrictionLaw = std::variant<Coulomb, Directional, Linear, Stribeck, Measured, Regularised>;
+/// How a law with a friction state answers small changes of a steady slip.
+struct StateSlopes {
+    double resistance_by_state = 0.0;  // [1]
+    double resistance_by_speed = 0.0;  // [s/m]
+    double rate_by_state = 0.0;        // [1/s]
+    double rate_by_speed = 0.0;        // [1/m]
+};
+
+/// Friction of bristles that bend, by their mean bend z [m] (LuGre):
+///
+///     z' = w - |w| s/g,    s = sigma_0 z,    g = mu_d + (mu_s - mu_d) exp(-(|w|/v_s)^delta)
+///     T = -(s + sigma_1 z' + k_v w) N
+///
+/// The friction state is s, which a slip forward has with this sign and one backward with the other. A steady slip has
+/// s = g, Stribeck's curve. Below mu_s the bristles bend as a spring of sigma_0 N, and the contact creeps. With
+/// mu_s = mu_d and sigma_1 = k_v = 0 it is Dahl's friction. What the bristles hold aside, friction adds no energy where
+/// k_v >= sigma_1 (mu_s/mu_d - 1). Source: C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky 1995; P. Dahl
+/// 1968; N. Barabanov and R. Ortega 2000 for that bound.
+struct LuGre {
+    static constexpr auto kind = parameters::FrictionKind::lugre;
+    static constexpr bool state_turns = true;  // with the way of the slip
+
+    Stribeck curve;          // exponential, mu_d > 0
+    double stiffness = 1.0;  // [1/m] sigma_0 > 0, of the bristles per normal force
+    double damping = 0.0;    // [s/m] sigma_1 >= 0, likewise
+
+    double limit(Slip) const { return curve.static_coefficient; }
+    double resistance(Slip way, double speed) const;
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const { return curve.slopes(); }
+    double steady_state(double speed) const;
+    double state_rate(double speed, double state) const;        // [1/s]
+    double state_resistance(double speed, double state) const;  // [1]
+    StateSlopes state_slopes(double speed) const;
+    bool has_jet() const { return curve.has_jet(); }
+    double jet(Slip way, JetTerms& terms) const;
+    bool operator==(const LuGre&) const = default;
+};
+
+/// Friction that follows the rate of slip and the state of the surfaces, psi = ln(V_0 theta/D_c) [1], where theta is
+/// the age of their contacts:
+///
+///     T = -sign(w) a arsinh(|w|/(2 V_0) exp((mu_0 + b psi)/a)) N
+///     ageing law (Dieterich)   psi' = V_0/D_c exp(-psi) - |w|/D_c
+///     slip law (Ruina)         psi' = -|w|/D_c (ln(|w|/V_0) + psi)
+///
+/// Away from rest that is mu_0 + a ln(|w|/V_0) + b psi; the arsinh makes it pass through zero at w = 0. A steady slip
+/// has mu_0 + (a - b) ln(|w|/V_0). Its state counts 1e-15 V_0 to |w|, so that it is a number at rest, and so does the
+/// slip law. Source: J. H. Dieterich 1979; A. Ruina 1983; J. R. Rice, N. Lapusta, K. Ranjith 2001 for the arsinh.
+struct RateAndState {
+    static constexpr bool state_turns = false;
+
+    parameters::FrictionKind kind = parameters::FrictionKind::dieterich;  // or ruina
+    double coefficient = 0.0;                                             // [1] mu_0, of a steady slip with V_0
+    double direct_effect = 1.0;                                           // [1] a > 0
+    double evolution_effect = 0.0;                                        // [1] b >= 0
+    double length = 1.0;                                                  // [m] D_c > 0
+    double velocity = 1.0;                                                // [m/s] V_0 > 0
+
+    double limit(Slip) const { return 0.0; }
+    double resistance(Slip, double speed) const { return state_resistance(speed, steady_state(speed)); }
+    double resistance_slope(Slip way, double speed) const;
+    SlopeRange slopes() const;
+    double steady_state(double speed) const;
+    double state_rate(double speed, double state) const;        // [1/s]
+    double state_resistance(double speed, double state) const;  // [1]
+    StateSlopes state_slopes(double speed) const;
+    double jet(Slip way, JetTerms& terms) const;
+    bool operator==(const RateAndState&) const = default;
+};
+
+using FrictionLaw = std::variant<Coulomb, Directional, Linear, Stribeck, Measured, Regularised, LuGre, RateAndState>;
 
 /// Returns the law's kind, by which a case names it.
 inline parameters::FrictionKind kind_of(const FrictionLaw& law) {
@@ -267,8 +346,41 @@ inline SlopeRange slope_range(const FrictionLaw& law) {
     return std::visit([](const auto& each) { return each.slopes(); }, law);
 }
 
+template <typename Law>
+concept HasFrictionState = requires(const Law& law) {
+    law.steady_state(0.0);
+};
+
+/// Says whether the law has a friction state. A contact that rubs by it creeps, and never sticks.
+inline bool has_friction_state(const FrictionLaw& law) {
+    return std::visit([]<typename Law>(const Law&) { return HasFrictionState<Law>; }, law);
+}
+
+/// Returns -1 where a slip that way has the law's state with the other sign, else 1.
+inline double state_sign(const FrictionLaw& law, Slip way) {
+    const bool turns = std::visit(
+        []<typename Law>(const Law&) {
+            if constexpr (HasFrictionState<Law>)
+                return Law::state_turns;
+            else
+                return false;
+        },
+        law);
+    return turns && way == Slip::backward ? -1.0 : 1.0;
+}
+
+/// Returns the friction state of a steady slip with this slip velocity [m/s]; 0 at rest, and for a law without one.
+double steady_friction_state(const FrictionLaw& law, double slip_velocity);
+
+/// Returns how a law with a friction state answers small changes of a steady slip with this speed [m/s].
+StateSlopes state_slopes(const FrictionLaw& law, double speed);
+
 /// Says whether a contact can stick with these forces [N]. It cannot if N < 0.
 bool holds(const FrictionLaw& law, double normal_force, double friction_force);
+
+/// Returns what may be doubted about a law: bristles whose damping adds energy to some motions; nothing where
+/// friction only takes it.
+std::optional<base::Problem> doubt_of(const FrictionLaw& law);
 
 /// Returns the friction law of a case's contact.
 FrictionLaw friction_law(const parameters::Contact& contact);

@@ -26,7 +26,8 @@ double convolution(std::span<const double> a, std::span<const double> b, std::si
     return sum;
 }
 
-constexpr std::size_t outer = 7;  // of a law's own series, behind those of powers
+constexpr std::size_t outer = 7;     // of a law's own series, behind those of powers
+constexpr std::size_t quotient = 8;  // behind it
 
 // (|w|/v_s)^delta up to the wanted coefficient, by squares: delta is whole, and 20 at most
 std::span<const double> speed_powers(const Stribeck& law, JetTerms& terms) {
@@ -74,6 +75,21 @@ double Stribeck::jet(Slip, JetTerms& terms) const {
         y[m] = -convolution(x, y, 1, m) / (1.0 + x[0]);
     }
     return fall() * y[m] + viscous * terms.speed[m];
+}
+
+// g = mu_d + (mu_s - mu_d) y with the curve's own y; u = s/g has g_0 u_m = s_m - sum g_j u_(m-j), j = 1..m
+double LuGre::jet(Slip way, JetTerms& terms) const {
+    const std::size_t m = terms.last();
+    curve.jet(way, terms);
+    const std::array<double, most_jet_coefficients>& y = terms.own[outer];
+    std::array<double, most_jet_coefficients>& u = terms.own[quotient];
+    double rest = terms.state[m];
+    for (std::size_t j = 1; j <= m; ++j)
+        rest -= curve.fall() * y[j] * u[m - j];
+    u[m] = rest / (curve.kinetic_coefficient + curve.fall() * y[0]);
+    const double bend = terms.speed[m] - convolution(terms.speed, u, 0, m);
+    terms.rate[m] = stiffness * bend;
+    return terms.state[m] + damping * bend + curve.viscous * terms.speed[m];
 }
 
 // the rows beyond rest, and where the curve passes mu_s: above it no row counts
@@ -155,6 +171,7 @@ double FrictionJet::next(std::span<const double> speed) {
     STRIDOR_EXPECT(!speed.empty() && speed.size() <= most_jet_coefficients);
     terms_.speed = speed;
     const std::size_t m = terms_.last();
+    if (m > 0) terms_.state[m] = step_ / static_cast<double>(m) * terms_.rate[m - 1];
     terms_.resistance[m] = std::visit(
         [&]<typename Law>(const Law& law) {
             if constexpr (HasJet<Law>)

@@ -22,7 +22,13 @@ bool has_jet(const FrictionLaw& law);
 /// use +, -, * and / in a fixed order: the same bits on every machine.
 class FrictionJet {
 public:
-    FrictionJet(const FrictionLaw& law, Slip way) : law_(&law), way_(way) {}
+    /// `state`: the friction state at the beginning, as a slip that way has it; `step` [s]: the unit of time.
+    FrictionJet(const FrictionLaw& law, Slip way, double state = 0.0, double step = 1.0)
+        : law_(&law),
+          way_(way),
+          step_(step) {
+        terms_.state[0] = state;
+    }
 
     /// Chooses the stretch whose function is expanded; before the second coefficient is asked for.
     void choose(const SpeedStretch& stretch) { terms_.stretch = stretch; }
@@ -30,9 +36,13 @@ public:
     /// Returns the next coefficient, from those of the speed [m/s] up to it.
     double next(std::span<const double> speed);
 
+    /// Returns the coefficient of the friction state that goes with the one returned last.
+    double state() const { return terms_.state[terms_.last()]; }
+
 private:
     const FrictionLaw* law_;
     Slip way_;
+    double step_;
     JetTerms terms_{};
 };
 

@@ -56,8 +56,18 @@ void add_slopes(SlidingMotion& motion, const Structure& structure, const std::ve
         const ContactPoint& contact = structure.contacts[k];
         if (states[k] != ContactState::slip || is_state_wise(contact.friction)) continue;
         const double w = -contact.drive_share * surface_velocity;
+        const double N = normal_forces(static_cast<Index>(k));
+        if (has_friction_state(contact.friction) && w != 0.0) {
+            // seen from the slip, whose way has a sign
+            const double way = w > 0.0 ? 1.0 : -1.0;
+            const StateSlopes slopes = state_slopes(contact.friction, std::abs(w));
+            motion.damping += N * slopes.resistance_by_speed * contact.tangent * contact.tangent.transpose();
+            motion.states.push_back({k, contact.tangent, -way * N * slopes.resistance_by_state, slopes.rate_by_state,
+                                     way * slopes.rate_by_speed});
+            continue;
+        }
         const double slope = slip_ratio_slope(contact.friction, slip_of(w), w);
-        motion.damping -= normal_forces(static_cast<Index>(k)) * slope * contact.tangent * contact.tangent.transpose();
+        motion.damping -= N * slope * contact.tangent * contact.tangent.transpose();
     }
 }
 
@@ -84,10 +94,21 @@ FirstOrderMotion first_order(const SlidingMotion& motion) {
     const MatrixXd stiffness = mass.solve(along(motion.stiffness));
     // positions in units of velocity: the solver's error is a share of the largest entry
     const double rate = std::max(std::sqrt(stiffness.cwiseAbs().rowwise().sum().maxCoeff()), smallest_rate);
-    MatrixXd matrix = MatrixXd::Zero(2 * free, 2 * free);
-    matrix.topRightCorner(free, free) = rate * MatrixXd::Identity(free, free);
-    matrix.bottomLeftCorner(free, free) = -stiffness / rate;
-    matrix.bottomRightCorner(free, free) = -mass.solve(along(motion.damping));
+    const Index all = 2 * free + static_cast<Index>(motion.states.size());
+    MatrixXd matrix = MatrixXd::Zero(all, all);
+    matrix.block(0, free, free, free) = rate * MatrixXd::Identity(free, free);
+    matrix.block(free, 0, free, free) = -stiffness / rate;
+    matrix.block(free, free, free, free) = -mass.solve(along(motion.damping));
+    for (Index row = 2 * free; row < all; ++row) {
+        const SlidingState& state = motion.states[static_cast<std::size_t>(row - 2 * free)];
+        const Eigen::VectorXd given = mass.solve((left.transpose() * state.tangent).eval()) * state.force;
+        const Eigen::VectorXd taken = right.transpose() * state.tangent * state.rate_by_slip;
+        const bool is_coupled = given.norm() > 0.0 && taken.norm() > 0.0;
+        const double unit = is_coupled ? std::sqrt(given.norm() / taken.norm()) : 1.0;
+        matrix.block(free, row, free, 1) = given / unit;
+        matrix.block(row, free, 1, free) = unit * taken.transpose();
+        matrix(row, row) = state.rate;
+    }
     return {std::move(matrix), right};
 }
 

@@ -69,6 +69,9 @@ enum class FrictionKind {
     stribeck,           // it falls from mu_s to mu_d by an exponential of the slip velocity
     stribeck_rational,  // it falls by a quotient
     table,              // it is measured over the slip velocity
+    lugre,              // it is borne by bristles that bend: a state of the contact
+    dieterich,          // rate and state: the age of the contacts, by the ageing law
+    ruina,              // the same by the slip law
     tanh,               // no stick: a smooth step through zero, for comparison with other programs
     arctan,             // a slower one
 };
@@ -88,6 +91,11 @@ constexpr bool is_state_wise(FrictionKind kind) {
 /// Does the law put a steep slope in the place of sticking? Such motions creep where they should stick.
 constexpr bool is_regularised(FrictionKind kind) {
     return kind == FrictionKind::tanh || kind == FrictionKind::arctan;
+}
+
+/// Has the law a friction state (model/friction)? Such a contact creeps, and never sticks.
+constexpr bool has_friction_state(FrictionKind kind) {
+    return kind == FrictionKind::lugre || kind == FrictionKind::dieterich || kind == FrictionKind::ruina;
 }
 
 /// How friction runs between the rows of a table over the slip velocity.
@@ -117,10 +125,16 @@ struct Contact {
     Interpolation interpolation = Interpolation::cubic;  // table
     double regularisation = 1e-3;                        // [m/s] tanh, arctan: v_r, the width of the step through zero
     RestKind rest = RestKind::none;                      // of any law that sticks
-    double rest_growth = 0.02;   // [1] logarithmic: A, for each factor e of the time of rest; kato: mu_inf - mu_s
-    double rest_time = 1.0;      // [s] t_0, a time of rest after which mu_s has grown
-    double rest_exponent = 0.5;  // [1] kato: m, of the time of rest over t_0
-    double rested = 0.0;         // [s] for which it has stuck when a run begins
+    double rest_growth = 0.02;         // [1] logarithmic: A, for each factor e of the time of rest; kato: mu_inf - mu_s
+    double rest_time = 1.0;            // [s] t_0, a time of rest after which mu_s has grown
+    double rest_exponent = 0.5;        // [1] kato: m, of the time of rest over t_0
+    double rested = 0.0;               // [s] for which it has stuck when a run begins
+    double bristle_stiffness = 1e5;    // [1/m] lugre: sigma_0, of the bristles per normal force
+    double bristle_damping = 0.0;      // [s/m] lugre: sigma_1, likewise
+    double direct_effect = 0.01;       // [1] dieterich, ruina: a, of a change of the slip velocity at once
+    double evolution_effect = 0.015;   // [1] dieterich, ruina: b, of the age that follows
+    double slip_length = 1e-5;         // [m] dieterich, ruina: D_c, over which the age follows
+    double reference_velocity = 1e-3;  // [m/s] dieterich, ruina: V_0, of a steady slip with mu_d
     double static_friction_coming = 0.8;   // [1] directional: mu_s where the plate drags the joint coming, T < 0
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;
@@ -129,7 +143,7 @@ struct Contact {
 
 /// Does static friction of the contact grow with the time of rest? Without a stick none does.
 constexpr bool grows_with_rest(const Contact& contact) {
-    return contact.rest != RestKind::none && !is_regularised(contact.friction);
+    return contact.rest != RestKind::none && !is_regularised(contact.friction) && !has_friction_state(contact.friction);
 }
 
 /// Where a motion begins.
@@ -155,6 +169,7 @@ struct JointStart {
     double tangential_velocity = 0.0;  // [m/s] means nothing to a contact that sticks
     double normal_velocity = 0.0;      // [m/s]
     ContactStart contact = ContactStart::by_motion;
+    double friction_state = 0.0;  // [1] of a law that has one
 };
 
 /// What computes a motion.

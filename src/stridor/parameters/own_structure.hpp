@@ -35,6 +35,7 @@ struct OwnContact {
     double preload_share = 0.0;                       // [1] of contact.preload, all shares being one together
     double drive_share = 1.0;                         // [1] of V(t) that the surface has here
     double second_drive_share = 0.0;                  // [1] of V(t) along the second tangent
+    double initial_friction_state = 0.0;              // [1] at the start, of a law that has one
     std::optional<std::array<double, 3>> position{};  // [m] where it is, for pictures; it changes no result
     std::optional<double> rested{};                   // [s] for which it has stuck at the start, in the case's place
 };

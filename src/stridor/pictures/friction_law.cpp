@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace stridor::pictures {
@@ -35,9 +36,13 @@ double edge_of(const parameters::Contact& contact) {
     switch (contact.friction) {
         case parameters::FrictionKind::stribeck:
         case parameters::FrictionKind::stribeck_rational:
+        case parameters::FrictionKind::lugre:
             return 10.0 * contact.stribeck_velocity;
         case parameters::FrictionKind::table:
             return contact.friction_table.speeds.empty() ? 1.0 : contact.friction_table.speeds.back();
+        case parameters::FrictionKind::dieterich:
+        case parameters::FrictionKind::ruina:
+            return 10.0 * contact.reference_velocity;
         case parameters::FrictionKind::tanh:
         case parameters::FrictionKind::arctan:
             return 10.0 * contact.regularisation;
@@ -120,7 +125,8 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     };
     // a continuous curve begins with mu_s
     const bool begins_with_limit = stick_limit(law, model::Slip::backward) == slip_ratio(law, model::Slip::backward);
-    const bool sticks = !parameters::is_regularised(contact.friction);
+    const bool is_rate_and_state = std::holds_alternative<model::RateAndState>(law);
+    const bool sticks = !parameters::is_regularised(contact.friction) && !is_rate_and_state;
     const char* const begin = !sticks ? nullptr : !is_state_wise(law) && begins_with_limit ? "mu_s" : "mu_d";
     const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", begin);
     const LawBranch coming =
@@ -166,8 +172,9 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     // a curve that falls may lie where a level one leaves room
     const double beside = is_state_wise(law) ? 0.5 * going.sliding.front() : -0.5 * going.limit;
     if (sticks)
-        panel.layers.emplace_back(drawing::Note{"stick", 0.06 * edge, beside, drawing::Anchor::data,
-                                                drawing::Align::left, drawing::ink, 0.0, std::nullopt});
+        panel.layers.emplace_back(drawing::Note{has_friction_state(law) ? "creep" : "stick", 0.06 * edge, beside,
+                                                drawing::Anchor::data, drawing::Align::left, drawing::ink, 0.0,
+                                                std::nullopt});
 
     drawing::Scene scene;
     scene.title = "Friction law";

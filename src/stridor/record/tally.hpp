@@ -57,9 +57,11 @@ enum class Future {
     sticks,    // proven: it sticks for ever
     releases,  // it sticks, and proven: not for ever
     repeats,   // it repeats itself: a limit cycle
+    creeps,    // its law of friction has a state: while it is closed it slips, however slowly
 };
 
-inline constexpr std::array<std::string_view, 5> future_names{"unknown", "slides", "sticks", "releases", "repeats"};
+inline constexpr std::array<std::string_view, 6> future_names{"unknown",  "slides",  "sticks",
+                                                              "releases", "repeats", "creeps"};
 
 /// How the normal force of a stuck contact follows the way it is dragged: what the drive makes of it, without
 /// vibration.

@@ -19,8 +19,23 @@ constexpr std::string_view rounding = "rounding of a closed form";
 constexpr std::string_view finite_modes = "15 %, by judgement: their corner is sharp, that of 60 modes is not";
 
 constexpr std::string_view modelica_steps = "1e-4 of it, by judgement: steps of a tolerance of 1e-6 each";
-constexpr std::string_view law_missing = "the law is missing";
+constexpr std::string_view read_off = "read off a figure";
+constexpr std::string_view growth_of_none = "5e-6 of it: a growth of 1e-9 of the largest eigenvalue counts as none";
 constexpr std::string_view no_parameters = "mass, stiffness and friction do not stand in open text";
+
+// at force rates of so many N/s: the surface pulls a spring of 0.01 N/m, until shortly after the break-away
+PublishedNumber break_away(std::string_view rate, double theirs, double tolerance) {
+    const double newtons = std::stod(std::string(rate));
+    const std::string until = std::to_string(1.5 / newtons);
+    return {"break-away, " + std::string(rate) + " N/s",
+            "N",
+            {"drive.velocity=" + std::to_string(-100.0 * newtons), "run.duration=" + until, "run.window=" + until},
+            greatest_friction,
+            "",
+            theirs,
+            tolerance,
+            read_off};
+}
 
 // of Leine's block, whose digits are all given
 PublishedNumber leine(std::string quantity, std::string_view unit, std::vector<std::string> set, QuantityOfCase measure,
@@ -140,6 +155,53 @@ std::vector<PublishedSystem> make_systems() {
            0.286220088,
            5e-10,
            printed_digits}}},
+        {"Canudas de Wit et al. 1995, as auralius/LuGre",
+         "a mass pulled by a spring, LuGre friction",
+         Origin::computation,
+         "lugre.toml",
+         "",
+         {{"place after its first slip", "m", {}, slip_at, "11", 0.63, 0.01, read_off},
+          {"after its second", "m", {}, slip_at, "17.4", 1.27, 0.01, read_off},
+          {"after its third", "m", {}, slip_at, "23.7", 1.91, 0.01, read_off},
+          {"after its fourth", "m", {}, slip_at, "30.1", 2.55, 0.01, read_off},
+          {"largest friction", "N", {}, greatest_friction, "", 1.48, 0.01, read_off},
+          {"largest velocity", "m/s", {}, greatest_slip_velocity, "", 0.37, 0.005, read_off}}},
+        {"Canudas de Wit et al. 1995, as auralius/LuGre",
+         "a mass under a rising force, LuGre friction",
+         Origin::computation,
+         "break-away.toml",
+         "a spring of 0.01 N/m pulls it, which is the force to 1e-6",
+         {break_away("1", 1.424, 0.01), break_away("2", 1.389, 0.01), break_away("5", 1.307, 0.01),
+          break_away("10", 1.213, 0.01), break_away("20", 1.090, 0.01)}},
+        {"Rice and Ruina 1983",
+         "a block on a spring, rate-and-state friction",
+         Origin::formula,
+         "rate-and-state.toml",
+         "",
+         {{"critical stiffness, ageing law",
+           "N/m",
+           {},
+           stability_limit,
+           "stiffness_scale=1e9:4e9",
+           2.55e9,
+           1.3e4,
+           growth_of_none},
+          {"critical stiffness, slip law",
+           "N/m",
+           {"friction=ruina"},
+           stability_limit,
+           "stiffness_scale=1e9:4e9",
+           2.55e9,
+           1.3e4,
+           growth_of_none},
+          {"critical stiffness, V = 1 mm/s",
+           "N/m",
+           {"preload=1e6", "direct_effect=0.003", "evolution_effect=0.008", "slip_length=1e-6", "drive.velocity=1e-3"},
+           stability_limit,
+           "stiffness_scale=2e9:8e9",
+           5.001666667e9,
+           2.5e4,
+           growth_of_none}}},
         {"Code_Aster V5.01.100 (SDND100)",
          "a friction pad on a spring, released",
          Origin::formula,
@@ -267,9 +329,6 @@ const std::vector<PublishedSystem>& published_systems() {
 
 const std::vector<NotReproduced>& not_reproduced() {
     static const std::vector<NotReproduced> all{
-        {"Canudas de Wit et al. 1995, as auralius/LuGre", "LuGre, plateaus 0.63, 1.27, 1.91, 2.55 m; break-away 1.09 N",
-         law_missing},
-        {"Rice and Ruina 1983", "rate and state, critical stiffness 2.55e9 and 5.001666667e9 N/m", law_missing},
         {"Feeny and Moon 1994", "chaos of a forced mass whose normal force follows its way",
          "no number stands in open text"},
         {"Reddyhoff et al. 2015, measured", "wiper blades, noise near 1000 Hz and at 2000 to 2500 Hz", no_parameters},

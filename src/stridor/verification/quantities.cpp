@@ -49,11 +49,12 @@ double position(const Case& c, const record::Trace& trace, std::size_t sample) {
     return sum;
 }
 
-// position of the surface at the first contact, of a drive with a frequency
+// position of the surface at the first contact, of a constant drive or one with a frequency
 double surface_position(const Case& c, double time) {
     const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
-    return c.own_structure->contacts.front().drive_share * profile.amplitude *
-           base::sine_cosine_of_turns(profile.frequency * time).sine;
+    const double share = c.own_structure->contacts.front().drive_share;
+    if (c.drive.kind == parameters::DriveKind::constant) return share * profile.velocity * time;
+    return share * profile.amplitude * base::sine_cosine_of_turns(profile.frequency * time).sine;
 }
 
 double number_in(std::string_view text) {
@@ -139,14 +140,14 @@ double limit_of(const Case& c, std::string_view about, Property has, double shar
     return 0.5 * (from + to);
 }
 
-constexpr double fine_share = 1e-7;     // of limits that cost milliseconds a run
-constexpr double coarse_share = 0.004;  // of those that cost a tenth of a second
+constexpr double fine_share = 1e-7;       // of limits that cost milliseconds a run
+constexpr double coarse_share = 0.004;    // of those that cost a tenth of a second
+constexpr double fine_samples = 50000.0;  // of a window: of one period the peak is known to 2e-9 of itself
 
 }  // namespace
 
 double slip_amplitude(const Case& c, std::string_view) {
-    constexpr double samples = 50000.0;  // of a window of a period: the peak is known to 2e-9 of itself
-    const record::Trace trace = motion_of(c, over_window(c, c.run.window / samples)).record.trace;
+    const record::Trace trace = motion_of(c, over_window(c, c.run.window / fine_samples)).record.trace;
     double least = 0.0, most = 0.0;
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
         const double slip = position(c, trace, k) - surface_position(c, trace.time[k]);
@@ -171,6 +172,27 @@ double slip_velocity_at(const Case& c, std::string_view about) {
     for (std::size_t row = 0; row < contact.tangent.size(); ++row)
         sum += contact.tangent[row] * trace.velocity[row].at(0);
     return sum;
+}
+
+double greatest_friction(const Case& c, std::string_view) {
+    const record::Trace trace = motion_of(c, over_window(c, c.run.window / fine_samples)).record.trace;
+    double most = 0.0;
+    for (const double force : trace.contacts.front().friction_force)
+        most = std::max(most, std::abs(force));
+    return most;
+}
+
+double greatest_slip_velocity(const Case& c, std::string_view) {
+    const record::Trace trace = motion_of(c, over_window(c, c.run.window / fine_samples)).record.trace;
+    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
+    double most = 0.0;
+    for (std::size_t k = 0; k < trace.time.size(); ++k) {
+        double sum = -trace.surface_velocity[k];
+        for (std::size_t row = 0; row < tangent.size(); ++row)
+            sum += tangent[row] * trace.velocity[row][k];
+        most = std::max(most, std::abs(sum));
+    }
+    return most;
 }
 
 double release_period(const Case& c, std::string_view) {

@@ -25,6 +25,10 @@ double slip_at(const parameters::Case& c, std::string_view about);
 /// Returns the slip velocity of the first contact at the instant `about` [m/s].
 double slip_velocity_at(const parameters::Case& c, std::string_view about);
 
+/// Returns the largest friction force of the first contact over the window, and its largest slip velocity [N], [m/s].
+double greatest_friction(const parameters::Case& c, std::string_view about);
+double greatest_slip_velocity(const parameters::Case& c, std::string_view about);
+
 /// Returns the mean time from one release of the first contact to the next [s].
 double release_period(const parameters::Case& c, std::string_view about);
 

@@ -117,7 +117,7 @@ TEST(LastingSet, PassesTimeAsTheMotionDoes) {
     ASSERT_TRUE(block.choose(modes));
     double square = 0.0;
     for (int k = 0; k < 700; ++k) {
-        block.expand(slips.q, slips.v, SurfaceSeries{0.1});
+        block.expand(slips.q, slips.v, {}, SurfaceSeries{0.1});
         std::vector<double> v(slips.v.size());
         const auto at = [&](double theta) {
             std::vector<double> q(v.size());

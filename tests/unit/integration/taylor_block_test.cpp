@@ -29,7 +29,7 @@ TEST(TaylorBlock, LeavesNothingOfALoadThatStuckContactsCarry) {
     TaylorBlock block(modal, 2.0 / modal.fastest);
     ASSERT_TRUE(block.choose({ContactMode::stick, ContactMode::stick}));
     const std::vector<double> rest(modal.modes(), 0.0);
-    block.expand(rest, rest, SurfaceSeries{});
+    block.expand(rest, rest, {}, SurfaceSeries{});
     std::array<double, 4> acceleration{};
     block.acceleration_at(0.0, acceleration);
     // forces of one rounding leave 1e-16 of the load; of that the second pass leaves as small a share

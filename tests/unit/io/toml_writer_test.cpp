@@ -50,7 +50,10 @@ Case random_case() {
     c.run.step = c.run.duration / 7e5;
     if (c.drive.velocity == 0.0) c.drive.velocity = 0.1;
     if (!parameters::is_state_wise(c.contact().friction)) c.run.engine = parameters::Engine::moreau;
-    if (c.run.engine == parameters::Engine::moreau) c.contact().impact = parameters::ImpactKind::plastic;
+    const bool creeps = parameters::has_friction_state(c.contact().friction);
+    if (creeps) c.run.engine = parameters::Engine::exact;
+    if (creeps) c.contact().stribeck_exponent = std::floor(c.contact().stribeck_exponent);
+    if (creeps || c.run.engine == parameters::Engine::moreau) c.contact().impact = parameters::ImpactKind::plastic;
     c.run.formulation = parameters::Formulation::standard;  // a joint has inertia
     c.verdict.settling *= 0.4;
     c.verdict.reversal *= 0.4;

@@ -21,7 +21,7 @@ TEST(ContactFields, HaveAKeyEachAndNothingUsualIsMissing) {
         if (field.only_beside.empty()) continue;
         EXPECT_EQ(contact_field(field.only_beside).key, field.only_beside);
     }
-    EXPECT_EQ(keys.size(), first_contact_fields + 1);  // and `initial_rest`
+    EXPECT_EQ(keys.size(), first_contact_fields + 2);  // and rest and friction state at the start
 }
 
 TEST(ContactFields, TakeThePlaceOfTheCasesNumbers) {

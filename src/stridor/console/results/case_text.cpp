@@ -8,6 +8,7 @@
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
+#include "stridor/model/friction.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <unordered_set>
 #include <vector>
@@ -135,6 +137,20 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
     return text;
 }
 
+// friction that may add energy, of each law once
+std::string friction_doubts(const model::Structure& structure) {
+    std::string text;
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+        const model::FrictionLaw& law = structure.contacts[k].friction;
+        const auto is_same = [&](const model::ContactPoint& other) { return other.friction == law; };
+        const auto first = std::find_if(structure.contacts.begin(), structure.contacts.end(), is_same);
+        const std::optional<base::Problem> doubt = doubt_of(law);
+        if (doubt && static_cast<std::size_t>(first - structure.contacts.begin()) == k)
+            text += fmt::format("\ndoubt: {} ({}). {}\n", doubt->what, doubt->why, doubt->suggestion);
+    }
+    return text;
+}
+
 double exact_seconds_per_step(const parameters::Case& c, const model::Structure& structure) {
     if (!parameters::is_solved_by_series(c)) return seconds_per_exact_step;
     const auto contacts = static_cast<double>(structure.contacts.size());
@@ -199,7 +215,8 @@ std::string case_text(const parameters::Case& c, const integration::Cost& cost) 
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
            (c.own_structure ? contacts_text(c, structure) : "\n") + "undamped natural frequencies\n" +
-           frequencies_text(c, structure) + belief_text(c, structure) + cost_text(c, structure, cost);
+           frequencies_text(c, structure) + belief_text(c, structure) + friction_doubts(structure) +
+           cost_text(c, structure, cost);
 }
 
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size) {

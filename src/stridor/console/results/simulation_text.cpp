@@ -129,10 +129,16 @@ std::string law_text(const parameters::Contact& contact) {
     if (contact.friction == FrictionKind::table)
         return fmt::format("friction by a table of {} rows, mu_s {:g}", contact.friction_table.speeds.size(),
                            contact.static_friction);
-    const bool is_stribeck =
-        contact.friction == FrictionKind::stribeck || contact.friction == FrictionKind::stribeck_rational;
+    if (contact.friction == FrictionKind::dieterich || contact.friction == FrictionKind::ruina)
+        return fmt::format("mu_d {:g} at {:g} m/s, a {:g}, b {:g}, D_c {:g} m", contact.kinetic_friction,
+                           contact.reference_velocity, contact.direct_effect, contact.evolution_effect,
+                           contact.slip_length);
+    const bool has_bristles = contact.friction == FrictionKind::lugre;
+    const bool is_stribeck = contact.friction == FrictionKind::stribeck ||
+                             contact.friction == FrictionKind::stribeck_rational || has_bristles;
     return fmt::format("mu_d {:g}, mu_s {:g}", contact.kinetic_friction, contact.static_friction) +
-           (is_stribeck ? fmt::format(", v_s {:g} m/s", contact.stribeck_velocity) : "");
+           (is_stribeck ? fmt::format(", v_s {:g} m/s", contact.stribeck_velocity) : "") +
+           (has_bristles ? fmt::format(", sigma_0 {:g} 1/m", contact.bristle_stiffness) : "");
 }
 
 std::string coefficients_text(const parameters::Contact& contact) {

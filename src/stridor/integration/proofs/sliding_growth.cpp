@@ -35,7 +35,8 @@ double slip_share_of(const record::ContactTally& contact) {
 
 bool is_asked(const record::ContactTally& contact, double least_slip) {
     const Future future = contact.ending.outlook.future;
-    return future != Future::slides && future != Future::sticks && slip_share_of(contact) >= least_slip;
+    const bool is_known = future == Future::slides || future == Future::sticks || future == Future::creeps;
+    return !is_known && slip_share_of(contact) >= least_slip;
 }
 
 // the state in which each contact spent most of the judged time

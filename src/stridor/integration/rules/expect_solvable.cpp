@@ -40,6 +40,8 @@ std::vector<Asked> demands_of(const model::Structure& structure) {
         asked.push_back({Demand::unexpanded_friction});
     if (has([](const ContactPoint& contact) { return grows(contact.rest); }))
         asked.push_back({Demand::growing_friction});
+    if (has([](const ContactPoint& contact) { return has_friction_state(contact.friction); }))
+        asked.push_back({Demand::friction_state});
     return asked;
 }
 

@@ -25,6 +25,7 @@ void put_joints(Case& c, const EndState& state) {
         start = {state.displacement[2 * k], state.displacement[2 * k + 1], state.velocity[2 * k],
                  state.velocity[2 * k + 1]};
         if (!state.rested.empty()) c.joints[k].contact.rested = state.rested[k];
+        if (!state.friction_states.empty()) start.friction_state = state.friction_states[k];
         if (state.contacts[k] == ContactState::separation) {
             start.normal = std::max(start.normal, c.plate.initial_normal);
             continue;
@@ -51,6 +52,8 @@ Case begun_at(Case c, const EndState& state) {
     own.initial_velocity = state.velocity;
     for (std::size_t k = 0; k < state.rested.size(); ++k)
         own.contacts[k].rested = state.rested[k];
+    for (std::size_t k = 0; k < state.friction_states.size(); ++k)
+        own.contacts[k].initial_friction_state = state.friction_states[k];
     c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
     return c;
 }

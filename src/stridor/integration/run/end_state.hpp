@@ -29,6 +29,7 @@ struct EndState {
     std::vector<double> velocity{};               // [m/s] shape [dof]
     std::vector<model::ContactState> contacts{};  // shape [contact]
     std::vector<double> rested{};  // [s] for which each has stuck, shape [contact]; empty: rest changes nothing
+    std::vector<double> friction_states{};  // [1] shape [contact]; empty: no law has one
     // of an engine with steps one for each step that it compares, and for each formulation
     std::vector<EngineMemory> memory{};
 };

@@ -59,10 +59,18 @@ InitialState where_joints_are(const parameters::Case& c, double surface_velocity
         state.velocity.segment(along, 2) << (sticks ? surface_velocity : start.tangential_velocity),
             start.normal_velocity;
         state.contacts.push_back(start.contact);
+        state.friction_states.push_back(start.friction_state);
     }
     state.displacement(last) = c.plate.initial_normal;
     state.velocity(last) = c.plate.initial_normal_velocity;
     return state;
+}
+
+std::vector<double> friction_states_of(const parameters::OwnStructure& own) {
+    std::vector<double> states;
+    for (const parameters::OwnContact& contact : own.contacts)
+        states.push_back(contact.initial_friction_state);
+    return states;
 }
 
 InitialState where_rows_are(const parameters::OwnStructure& own) {
@@ -73,7 +81,7 @@ InitialState where_rows_are(const parameters::OwnStructure& own) {
         return Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
     };
     return {given(own.initial_displacement), given(own.initial_velocity),
-            std::vector(own.contacts.size(), parameters::ContactStart::by_motion)};
+            std::vector(own.contacts.size(), parameters::ContactStart::by_motion), nullptr, friction_states_of(own)};
 }
 
 double sum_of_sizes(const Eigen::VectorXd& row, const Eigen::VectorXd& numbers) {
@@ -127,12 +135,18 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
         if (start.kind == Initial::sliding) tangential(k) = start.perturbation;
     }
     const bool has_plane = model::has_two_tangents(structure.contacts.front());
+    InitialState state{balance.displacement, {}};
     if (p > 1 || has_plane) {
-        const double carried = start.kind == Initial::stuck ? surface_velocity : 0.0;
-        return {balance.displacement, least_velocity(structure, tangential, carried)};
+        state.velocity = least_velocity(structure, tangential, start.kind == Initial::stuck ? surface_velocity : 0.0);
+    } else {
+        const model::ContactPoint& contact = structure.contacts.front();
+        state.velocity = contact.tangent / contact.tangent.squaredNorm() * tangential(0);
     }
-    const model::ContactPoint& contact = structure.contacts.front();
-    return {balance.displacement, contact.tangent / contact.tangent.squaredNorm() * tangential(0)};
+    if (start.kind == Initial::sliding)
+        for (const model::ContactPoint& contact : given.contacts)
+            state.friction_states.push_back(
+                model::steady_friction_state(contact.friction, -contact.drive_share * surface_velocity));
+    return state;
 }
 
 InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
@@ -153,6 +167,7 @@ InitialState initial_state(const parameters::Case& c, const model::Structure& st
         start.displacement(static_cast<Eigen::Index>(row)) += own.initial_displacement[row];
     for (std::size_t row = 0; row < own.initial_velocity.size(); ++row)
         start.velocity(static_cast<Eigen::Index>(row)) += surface_velocity * own.initial_velocity[row];
+    start.friction_states = friction_states_of(own);
     return start;
 }
 

@@ -18,7 +18,8 @@ struct InitialState {
     // of a given start what each contact does, stick, slip or separation; shape [contact]; empty: at rest all that are
     // closed stick, or slip by their velocities
     std::vector<parameters::ContactStart> contacts{};
-    Handover* handover = nullptr;  // from and to other runs; null: the run begins and ends by itself
+    Handover* handover = nullptr;           // from and to other runs; null: the run begins and ends by itself
+    std::vector<double> friction_states{};  // [1] of laws that have one, shape [contact]; empty: 0
 };
 
 /// Does a given start have this contact open?
@@ -38,7 +39,8 @@ struct Start {
 /// [m/s].
 ///
 /// rest and stuck begin at the preloaded rest position, given where the start says, sliding at the equilibrium of
-/// steady sliding. Several stuck contacts move with their surfaces and the structure with the least kinetic energy.
+/// steady sliding. Friction states begin there with those of a steady slip, else as given, or with 0. Several stuck
+/// contacts move with their surfaces and the structure with the least kinetic energy.
 /// Throws `Error`: input where sliding has no direction; numerical where some contact has no N > 0.
 InitialState initial_state(const model::Structure& structure, const Start& start, double surface_velocity);
 

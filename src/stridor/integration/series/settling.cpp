@@ -131,7 +131,9 @@ void Settling::correct_modes(TaylorState& state, const SurfaceSeries& surface) {
             // a slip this small is none, and was more than rounding
             const double terms = dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]);
             if (is_slip(state.set[k]) && std::abs(w) > term_rounding * terms) has_ended = true;
-            state.set[k] = ContactMode::stick;
+            const bool creeps = has_friction_state(c.friction);
+            if (!creeps || !is_slip(state.set[k])) state.set[k] = resting_mode(c);
+            begins_[k] = creeps;
         }
     }
     if (has_ended) hold_ended(state, surface);
@@ -226,7 +228,7 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
             state.set[k] = std::abs(w) > near ? slip_mode(model::slip_of(w)) : ContactMode::stick;
             ++completed_;
             has_ended = true;
-        } else if (is_slip(mode) && state.dropped[k][1] == 0) {
+        } else if (is_slip(mode) && state.dropped[k][1] == 0 && !has_friction_state(structure_.contacts[k].friction)) {
             const BlockSeries w = block_.slip_velocity(k);
             const double rest = -w[0] / w[1];
             if (!(rest > 0.0 && rest < soon_)) continue;
@@ -269,6 +271,8 @@ Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
     std::optional<Lawful> lawful;
     const auto finish = [&] {
         project(state, surface);
+        for (std::size_t k = 0; k < state.set.size(); ++k)
+            if (state.set[k] == ContactMode::open) state.friction_states[k] = 0.0;
         std::fill(begins_.begin(), begins_.end(), false);
         return Settled::done;
     };
@@ -311,7 +315,10 @@ Settled Settling::fire(TaylorState& state, const SurfaceSeries& surface, std::si
         return go_on(state, surface);
     }
     const bool is_stuck = mode == ContactMode::stick;
-    if (is_slip(mode) && function == 1) mode = ContactMode::stick;
+    if (is_slip(mode) && function == 1) {
+        begins_[contact] = has_friction_state(structure_.contacts[contact].friction);
+        mode = begins_[contact] ? turned(mode) : ContactMode::stick;
+    }
     if (is_stuck && function > 0) {
         mode = slip_mode(function == 1 ? model::Slip::backward : model::Slip::forward);
         begins_[contact] = true;

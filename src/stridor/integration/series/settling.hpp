@@ -32,6 +32,7 @@ struct TaylorState {
     std::vector<std::array<int, most_functions>> dropped;  // shape [contact]
     // [s] for which each contact has stuck, 0 for others; shape [contact]; empty: rest changes nothing
     std::vector<double> rested{};
+    std::vector<double> friction_states{};  // shape [contact]; 0 of an open one: it closes with that
 };
 
 /// What counts as zero of the coefficients of an event function: those that the state itself gives (gap and its rate,
@@ -57,6 +58,7 @@ enum class Settled {
 ///    held against the limit of the slip until the others have changed, too; then it sticks again if it can. From 1
 ///    again if a gap closes. Single changes run in a circle where a contact that stuck would be pulled open and one
 ///    that was open would fall: then all sets are tried, those with the fewest changes first.
+///    A contact with a friction state never sticks: it slips the way in which it begins to move.
 /// 3. Flights that begin and slips which would end within a millionth of a block are ended at once: pile-ups of impacts
 ///    have a limit, and this is it. Where no forces belong to it they go on.
 class Settling {
@@ -165,10 +167,15 @@ inline double slip_zero(const ModalContact& c, const TaylorState& state, const S
     return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
 }
 
-/// What a contact does that closes: it slips the way it moves, or sticks.
+/// What a contact does that is closed and has no slip velocity, if it does not slip already: it sticks, or may creep.
+inline ContactMode resting_mode(const ModalContact& contact) {
+    return has_friction_state(contact.friction) ? ContactMode::slip_forward : ContactMode::stick;
+}
+
+/// What a contact does that closes: it slips the way it moves, or rests.
 inline ContactMode closed_mode(const ModalContact& contact, const TaylorState& state, const SurfaceSeries& surface) {
     const double w = slip_velocity(contact, state.v, surface[0]);
-    return std::abs(w) > slip_zero(contact, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
+    return std::abs(w) > slip_zero(contact, state, surface) ? slip_mode(model::slip_of(w)) : resting_mode(contact);
 }
 
 }  // namespace stridor::integration

@@ -98,7 +98,7 @@ bool Settling::could_stick(TaylorState& state, const SurfaceSeries& surface, std
     Violation worst;
     const bool is_determined = block_.choose(state.set);
     if (is_determined) {
-        block_.expand(state.q, state.v, surface, settling_order);
+        block_.expand(state.q, state.v, state.friction_states, surface, settling_order);
         look(state, contact, worst);
     }
     state.set[contact] = slip;
@@ -109,14 +109,16 @@ bool Settling::could_stick(TaylorState& state, const SurfaceSeries& surface, std
 // a slip that has begun before others changed: it sticks if it can now; returns whether one does
 bool Settling::stick_again(TaylorState& state, const SurfaceSeries& surface, std::vector<bool>& has_tried) {
     for (std::size_t k = 0; k < state.set.size(); ++k) {
-        if (!is_slip(state.set[k]) || !begins_[k] || has_tried[k] || !could_stick(state, surface, k)) continue;
+        const bool has_begun =
+            is_slip(state.set[k]) && begins_[k] && !has_friction_state(structure_.contacts[k].friction);
+        if (!has_begun || has_tried[k] || !could_stick(state, surface, k)) continue;
         state.set[k] = ContactMode::stick;
         broken_[k] = begins_[k] = false;
         has_tried[k] = true;
         return true;
     }
     block_.choose(state.set);
-    block_.expand(state.q, state.v, surface, settling_order);
+    block_.expand(state.q, state.v, state.friction_states, surface, settling_order);
     return false;
 }
 
@@ -127,7 +129,7 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
     bool has_changed = false;
     const auto trial = [&]() -> std::optional<Forces> {
         if (!block_.choose(state.set)) return Forces::inconsistent;
-        block_.expand(state.q, state.v, surface, settling_order);
+        block_.expand(state.q, state.v, state.friction_states, surface, settling_order);
         Violation worst;
         for (std::size_t k = 0; k < state.set.size(); ++k)
             look(state, k, worst);
@@ -147,7 +149,8 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
         } else if (worst.function == 0) {
             mode = ContactMode::open;
         } else if (is_slip(mode)) {
-            mode = ContactMode::stick;
+            const bool creeps = has_friction_state(structure_.contacts[worst.contact].friction);
+            mode = creeps ? turned(mode) : ContactMode::stick;
         } else {
             mode = slip_mode(worst.function == 1 ? model::Slip::backward : model::Slip::forward);
             broken_[worst.contact] = begins_[worst.contact] = true;
@@ -164,7 +167,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
     std::vector<std::vector<ContactMode>> possible(p);
     std::vector<bool> is_at_rest(p);
     block_.choose(ContactSet(p, ContactMode::open));
-    block_.expand(state.q, state.v, surface, 0);
+    block_.expand(state.q, state.v, state.friction_states, surface, 0);
     for (std::size_t k = 0; k < p; ++k) {
         const ModalContact& c = structure_.contacts[k];
         const double w = slip_velocity(c, state.v, surface[0]);
@@ -174,6 +177,8 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
             (gap(c, state.q) > gap_zero(c, state, block_.step()) ||
              block_.step() * gap_velocity(c, state.v) > gap_zero(c, state, block_.step())))
             possible[k] = {ContactMode::open};
+        else if (is_at_rest[k] && has_friction_state(c.friction))
+            possible[k] = {ContactMode::slip_forward, ContactMode::slip_backward, ContactMode::open};
         else if (is_at_rest[k])
             possible[k] = {ContactMode::stick, ContactMode::slip_forward, ContactMode::slip_backward,
                            ContactMode::open};
@@ -188,7 +193,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
     const bool is_found = try_all_sets(possible, present, [&](const ContactSet& set) {
         if (!block_.choose(set)) return false;
         state.set = set;
-        block_.expand(state.q, state.v, surface, settling_order);
+        block_.expand(state.q, state.v, state.friction_states, surface, settling_order);
         Violation worst;
         for (std::size_t k = 0; k < p; ++k)
             look(state, k, worst);

@@ -5,9 +5,11 @@
 //     slip    N -> separation                 sigma w -> stick if |T| <= mu_s N there, else slip the other way
 //     stick   N -> separation                 mu_s N -+ T -> slip with sign(w) = -sign(T)
 //
-// with what rest has added to mu_s. The first zero of all functions ends the block; `Settling` says how the contacts go
-// on. What lies within a block (samples) is evaluated from its beginning and never changes it; ends of spans and corners
-// of the drive end it.
+// with what rest has added to mu_s. A contact whose friction has a state does not stick: where sigma w is zero it slips
+// the other way.
+//
+// The first zero of all functions ends the block; `Settling` says how the contacts go on. What lies within a block
+// (samples) is evaluated from its beginning and never changes it; ends of spans and corners of the drive end it.
 
 #include "stridor/integration/series/taylor.hpp"
 
@@ -70,14 +72,24 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
             stuck_since_.push_back(-contact.rest.before);
         let_rest();
     }
+    state_.friction_states.resize(structure_.contacts.size());
+    for (std::size_t k = 0; k < start.friction_states.size(); ++k)
+        state_.friction_states[k] = start.friction_states[structure_.number[k]];
     told_ = state_.set;
     intervals_.resize(structure_.contacts.size());
     handover_ = start.handover;
     travel_ = {state_.q, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)};
     is_steady_ = parameters::is_steady(drive);
-    may_end_early_ = handover_ == nullptr && settings.early_ending == parameters::EarlyEnding::proven &&
+    // nothing is proven of friction states
+    may_end_early_ = handover_ == nullptr && !has_friction_states() &&
+                     settings.early_ending == parameters::EarlyEnding::proven &&
                      !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
     samples_ = sample_times(recorder_.request().trace);
+}
+
+bool TaylorRun::has_friction_states() const {
+    return std::any_of(structure_.contacts.begin(), structure_.contacts.end(),
+                       [](const ModalContact& contact) { return has_friction_state(contact.friction); });
 }
 
 SurfaceSeries TaylorRun::surface(double time) const {
@@ -176,6 +188,7 @@ TaylorRun::Firing TaylorRun::first_firing(double reach) {
 void TaylorRun::move(double theta) {
     if (!(theta > 0.0)) return;
     block_.state_at(theta, state_.q, state_.v);
+    block_.move_friction_states(theta, state_.friction_states);
     widen(travel_, state_.q, state_.v);
     is_fresh_ = false;
 }
@@ -242,6 +255,7 @@ bool TaylorRun::pass_boundary() {
 // the state at the beginning of a block
 void TaylorRun::pass(Memory& pass) {
     pass(state_.q), pass(state_.v), pass(state_.set);
+    if (has_friction_states()) pass(state_.friction_states);
     for (auto& functions : state_.dropped)
         for (int& dropped : functions)
             pass.below(dropped, block_order + 1);
@@ -269,6 +283,10 @@ void TaylorRun::hand_over() {
     to.rested.resize(state_.rested.size());
     for (std::size_t k = 0; k < state_.rested.size(); ++k)
         to.rested[structure_.number[k]] = state_.rested[k];
+    if (!has_friction_states()) return;
+    to.friction_states.resize(state_.set.size());
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        to.friction_states[structure_.number[k]] = state_.friction_states[k];
 }
 
 Outcome TaylorRun::advance(const std::stop_token& stop) {
@@ -295,7 +313,7 @@ Outcome TaylorRun::go_on(const std::stop_token& stop) {
         if (!is_finite(state_.q, state_.v)) return {Reason::diverged, time_};
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
-        block_.expand(state_.q, state_.v, surface_);
+        block_.expand(state_.q, state_.v, state_.friction_states, surface_);
         const double length = block_.length();
         if (length != step_) surface_ = block_.surface();
         const double boundary = next_boundary();

@@ -34,6 +34,7 @@ TaylorBlock::TaylorBlock(const ModalStructure& structure, double step, int highe
       modes_(structure.modes()),
       registers_(registers_for(modes_)),
       highest_(highest),
+      friction_states_(structure.contacts.size()),
       square_(in_registers(structure.square_frequency, modes_)),
       damping_(in_registers(structure.damping, modes_)),
       load_(in_registers(structure.load, modes_)),
@@ -185,8 +186,8 @@ SeriesProblem TaylorBlock::problem() {
             .numbers = modes_};
 }
 
-void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
-                         int order) {
+void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, std::span<const double> friction_states,
+                         const SurfaceSeries& surface, int order) {
     rows_ = chosen_;
     rubbing_.clear();
     order_ = std::min(order, highest_);
@@ -196,6 +197,7 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
     constraint_sizes_.clear();
     std::copy(q.begin(), q.end(), q_.front().at);
     std::copy(v.begin(), v.end(), v_.front().at);
+    std::copy(friction_states.begin(), friction_states.end(), friction_states_.begin());
     if (!rows_->rubbed.empty()) return expand_rubbing();
     kernel_.expand(problem(), order_, room());
     store_forces();

@@ -43,6 +43,8 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 /// ratio_m follows from w_0..w_m (model/friction_jet), w_m from accelerations before m: so the sum is known when N_m is
 /// sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series then ends where
 /// that of the ratio does: the block is shortened until its last terms are rounding.
+///
+/// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.
 class TaylorBlock {
 public:
     /// `highest` [1]: no expansion goes beyond this order.
@@ -54,10 +56,11 @@ public:
     /// Chooses what the contacts do. Returns false where R'B is singular: no forces belong to the set.
     bool choose(const ContactSet& set);
 
-    /// Expands up to `order` from a state (shape [mode]); the surface's velocity belongs to the same instant and to a
-    /// block of `step()`. Friction that changes with the slip velocity is always expanded up to the highest order.
-    void expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
-                int order = block_order);
+    /// Expands up to `order` from a state (shape [mode]) with friction states (shape [contact]); the surface's velocity
+    /// belongs to the same instant and to a block of `step()`. Friction that changes with the slip velocity is always
+    /// expanded up to the highest order.
+    void expand(std::span<const double> q, std::span<const double> v, std::span<const double> friction_states,
+                const SurfaceSeries& surface, int order = block_order);
 
     /// The surface's velocity over the block that was expanded.
     const SurfaceSeries& surface() const { return surface_; }
@@ -92,6 +95,9 @@ public:
     void state_at(double theta, std::span<double> q, std::span<double> v) const;
     void acceleration_at(double theta, std::span<double> a) const;
 
+    /// Changes the friction states to those at a place in [0, 1]; shape [contact]. An open contact keeps its own.
+    void move_friction_states(double theta, std::span<double> friction_states) const;
+
     /// Velocities at several places at once, each computed as if it were alone; shape [place][mode].
     void velocities_at(const BlockPlaces& theta, std::vector<Lanes>& v) const;
 
@@ -123,12 +129,14 @@ private:
         std::size_t row = 0;  // its normal row
         std::size_t contact = 0;
         model::Slip way = model::Slip::forward;
-        double sign = 1.0;  // of the slip velocity
+        double sign = 1.0;        // of the slip velocity
+        double state_sign = 1.0;  // of the friction state
         model::FrictionJet jet;
         model::SpeedStretch stretch{};
         double corner_rounding = 0.0;  // [m/s]
         BlockSeries speed{};           // [m/s]
         BlockSeries ratio{};           // [1]
+        BlockSeries state{};           // of friction, as the law has it
         BlockSeries known{};           // [N] of T, without what the normal force of the same power adds
     };
 
@@ -168,6 +176,7 @@ private:
     Rows at_ratios_{};                 // the same with the ratios of the block's beginning
     const Rows* rows_ = nullptr;
     std::vector<Rubbing> rubbing_{};
+    std::vector<double> friction_states_;         // at the block's beginning, shape [contact]
     std::vector<Lanes> square_, damping_, load_;  // those of the structure
     std::vector<Lanes> q_, v_, force_;            // shapes [order + 2][mode], [order + 1][row]
     std::vector<Lanes> acceleration_, right_;     // of one coefficient

@@ -44,7 +44,7 @@ void TaylorRun::fill_with_silence(LastingSet& set) {
         const bool is_kept = record::is_judged(span.use);
         for (long block = 0; is_kept && block < steps_sampled_for_peaks && time_ < span.to; ++block) {
             if (!block_.choose(state_.set)) break;
-            block_.expand(state_.q, state_.v, surface_);
+            block_.expand(state_.q, state_.v, state_.friction_states, surface_);
             const double left = (span.to - time_) / step_;
             const double theta = std::min({1.0, block_.reach(), left});
             account(theta);
@@ -123,6 +123,12 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
 
 std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(structure_.number.size(), proven_outlook(silence_, cycle_));
+    if (has_friction_states()) {
+        for (std::size_t k = 0; k < known.size(); ++k)
+            if (has_friction_state(structure_.contacts[k].friction))
+                known[structure_.number[k]].future = record::Future::creeps;
+        return known;
+    }
     const bool may_know =
         outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes && is_linear();
     if (!may_know) return known;

@@ -47,14 +47,17 @@ void TaylorBlock::begin_rubbing() {
         const std::size_t k = chosen_->normal[r];
         const ModalContact& contact = structure_.contacts[k];
         const model::Slip way = way_of((*set_)[k]);
+        const double state_sign = model::state_sign(contact.friction, way);
         Rubbing slip{.row = r,
                      .contact = k,
                      .way = way,
                      .sign = way == model::Slip::forward ? 1.0 : -1.0,
-                     .jet = {contact.friction, way},
+                     .state_sign = state_sign,
+                     .jet = {contact.friction, way, state_sign * friction_states_[k], length_},
                      .corner_rounding = stretch_rounding * velocity_scale(k)};
         slip.speed[0] = slip.sign * (dot(contact.tangent, v) - contact.drive_share * surface_[0]);
         slip.ratio[0] = -slip.sign * slip.jet.next({slip.speed.data(), 1});
+        slip.state[0] = slip.jet.state();
         rubbing_.push_back(slip);
     }
     at_ratios_ = *chosen_;
@@ -92,6 +95,7 @@ void TaylorBlock::rub(std::size_t m, Lanes* acceleration) {
             slip.jet.choose(slip.stretch);
         }
         slip.ratio[m] = -slip.sign * slip.jet.next({slip.speed.data(), m + 1});
+        slip.state[m] = slip.jet.state();
         slip.known[m] = product_without_first(slip.ratio, N, m);
         for (std::size_t j = 0; j < modes_; ++j)
             number_in(acceleration, j) += slip.known[m] * contact.tangent[j];
@@ -100,23 +104,33 @@ void TaylorBlock::rub(std::size_t m, Lanes* acceleration) {
 
 // the part of the block that the series reaches to rounding, in quarters of a power of two
 double TaylorBlock::reached_share() const {
+    using First = std::array<double, 4>;
     const auto largest = [&](int m) {
         double most = 0.0;
         for (const double each : coefficient(v_, m))
             most = std::max(most, std::abs(each));
         return most;
     };
-    const std::array first{largest(0), largest(1), largest(2), largest(3)};
-    const double end = largest(order_), behind = largest(order_ + 1);
-    const auto is_reached = [&](double share) {
+    const auto whole_of = [](const First& first, double share) {
         double whole = 0.0, power = 1.0;
         for (const double each : first) {
             whole = std::max(whole, each * power);
             power *= share;
         }
-        for (std::size_t m = first.size(); m < static_cast<std::size_t>(order_); ++m)
+        return whole;
+    };
+    const First first{largest(0), largest(1), largest(2), largest(3)};
+    const double end = largest(order_), behind = largest(order_ + 1);
+    const auto is_reached = [&](double share) {
+        double power = 1.0;
+        for (std::size_t m = 0; m < static_cast<std::size_t>(order_); ++m)
             power *= share;
-        return power * std::max(end, behind * share) <= series_rounding * whole;
+        if (!(power * std::max(end, behind * share) <= series_rounding * whole_of(first, share))) return false;
+        return std::all_of(rubbing_.begin(), rubbing_.end(), [&](const Rubbing& slip) {
+            const BlockSeries& s = slip.state;
+            const First state{std::abs(s[0]), std::abs(s[1]), std::abs(s[2]), std::abs(s[3])};
+            return power * std::abs(s[static_cast<std::size_t>(order_)]) <= series_rounding * whole_of(state, share);
+        });
     };
     double share = 1.0;
     while (!is_reached(share) && share > least_share)
@@ -144,7 +158,7 @@ void TaylorBlock::shorten(double share) {
         power *= share;
     }
     for (Rubbing& slip : rubbing_)
-        for (BlockSeries* series : {&slip.speed, &slip.ratio, &slip.known})
+        for (BlockSeries* series : {&slip.speed, &slip.ratio, &slip.state, &slip.known})
             scale_powers(*series, share);
 }
 
@@ -172,6 +186,11 @@ void TaylorBlock::expand_rubbing() {
         for (std::size_t m = 0; m < N.size(); ++m)
             friction_[slip.contact][m] = slip.ratio[0] * N[m] + slip.known[m];
     }
+}
+
+void TaylorBlock::move_friction_states(double theta, std::span<double> friction_states) const {
+    for (const Rubbing& slip : rubbing_)
+        friction_states[slip.contact] = slip.state_sign * value_of(slip.state, theta);
 }
 
 double TaylorBlock::stretch_end(double reach) const {

@@ -50,6 +50,7 @@ private:
     Outcome advance(const std::stop_token& stop);
     EnergyBalance energy() const;
     const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
+    bool has_friction_states() const;
     SurfaceSeries surface(double time) const;
     double next_boundary() const;
     Firing first_firing(double reach);

@@ -274,7 +274,8 @@ Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadA
 bool is_required(const parameters::Field& field) {
     constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
     const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
-    constexpr std::array<std::string_view, 3> usual{"stribeck_exponent", "viscous_friction", "rest_exponent"};
+    constexpr std::array<std::string_view, 4> usual{"stribeck_exponent", "viscous_friction", "bristle_damping",
+                                                    "rest_exponent"};
     const bool has_usual = std::find(usual.begin(), usual.end(), field.name) != usual.end();
     return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law && !has_usual &&
            !parameters::is_of_start(field);

@@ -20,7 +20,8 @@ namespace {
 using namespace json_parts;
 using integration::EndState;
 
-constexpr std::size_t longest_end_state = 256'000'000;  // [bytes] 300 contacts in a plane need a tenth of it
+constexpr std::size_t longest_end_state = 256'000'000;      // [bytes] 300 contacts in a plane need a tenth of it
+constexpr const char* friction_member = "friction_states";  // where a law has one
 constexpr std::string_view end_state_schema = "stridor.end-state/1";
 
 // the members that the checksum is of, as text without blanks
@@ -29,6 +30,7 @@ std::string checked_text(const Json& document) {
     for (const char* member : {"case", "time", "displacement", "velocity", "contacts", "memory"})
         checked[member] = document.contains(member) ? document[member] : Json();
     if (document.contains("rested")) checked["rested"] = document["rested"];
+    if (document.contains(friction_member)) checked[friction_member] = document[friction_member];
     return checked.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -93,6 +95,7 @@ std::string end_state_json(const parameters::Case& c, const EndState& state) {
     document["contacts"] = array_of(state.contacts, [](model::ContactState contact) {
         return Json(model::contact_state_names[model::index_of(contact)]);
     });
+    if (!state.friction_states.empty()) document[friction_member] = state.friction_states;
     document["memory"] = state.memory;
     document["units"] = {{"time", "s"}, {"displacement", "m"}, {"velocity", "m/s"}};
     if (!state.rested.empty()) {
@@ -130,6 +133,11 @@ ReadEndState read_end_state(std::string_view text, const std::string& name) {
         if (read.state.rested.size() != read.state.contacts.size() ||
             !std::all_of(read.state.rested.begin(), read.state.rested.end(), is_time))
             refuse_end_state(name, "rested is no time for each contact");
+    }
+    if (document.contains(friction_member)) {
+        read.state.friction_states = numbers_in(document[friction_member], name, friction_member);
+        if (read.state.friction_states.size() != read.state.contacts.size())
+            refuse_end_state(name, "it has more friction states than contacts, or fewer");
     }
     if (read.state.displacement.size() != read.state.velocity.size())
         refuse_end_state(name, "it has more displacements than velocities, or fewer");

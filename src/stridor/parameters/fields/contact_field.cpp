@@ -31,6 +31,8 @@ constexpr std::array contact_table{
     ContactField{"position", "m", "where it is, for drawings; it changes no result", &OwnContact::position},
     ContactField{"initial_rest", "s", "for which it has stuck at the start", &OwnContact::rested, not_negative,
                  Need::optional, &Contact::rested},
+    ContactField{"initial_friction_state", "1", "friction state at the start: what bristles bear, or psi",
+                 &OwnContact::initial_friction_state},
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> friction_names{"coulomb",           "directional", "linear", "stribeck",
-                                                         "stribeck-rational", "table",       "tanh",   "arctan"};
+constexpr std::array<std::string_view, 11> friction_names{
+    "coulomb",   "directional", "linear", "stribeck", "stribeck-rational", "table", "lugre",
+    "dieterich", "ruina",       "tanh",   "arctan"};
 constexpr std::array<std::string_view, 3> rest_names{"none", "logarithmic", "kato"};
 constexpr std::array<std::string_view, 2> creeping_names{"undecided", "judged"};
 constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
@@ -150,7 +151,8 @@ const std::array table{
           quantity<&PlateJoint::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
     Field{
         "contact", "friction", "",
-        "law of friction: the same both ways, other coefficients each way, or changing with the slip velocity",
+        "law of friction: the same both ways, other each way, changing with the slip velocity or a state of the "
+        "contact",
         choice<&PlateJoint::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
         always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
@@ -171,6 +173,24 @@ const std::array table{
     Field{"contact", "viscous_friction", "k_v", "by how much friction rises per slip velocity",
           quantity<&PlateJoint::contact, &Contact::viscous_friction>("s/m", not_negative, between(0.0, 1.0)),
           has_stribeck_curve},
+    Field{"contact", "bristle_stiffness", "sigma_0", "stiffness of the bristles that bear friction, per normal force",
+          quantity<&PlateJoint::contact, &Contact::bristle_stiffness>("1/m", positive, octaves(1e3, 1e6)),
+          has_bristles},
+    Field{"contact", "bristle_damping", "sigma_1", "damping of the bristles, per normal force",
+          quantity<&PlateJoint::contact, &Contact::bristle_damping>("s/m", not_negative, between(0.0, 100.0)),
+          has_bristles},
+    Field{"contact", "direct_effect", "a", "by how much friction rises at once with the logarithm of the slip velocity",
+          quantity<&PlateJoint::contact, &Contact::direct_effect>("1", positive, octaves(1e-3, 0.1)),
+          has_rate_and_state},
+    Field{"contact", "evolution_effect", "b", "by how much it falls again as the age of the contacts follows",
+          quantity<&PlateJoint::contact, &Contact::evolution_effect>("1", not_negative, octaves(1e-3, 0.1)),
+          has_rate_and_state},
+    Field{"contact", "slip_length", "D_c", "way of slip over which the age of the contacts follows",
+          quantity<&PlateJoint::contact, &Contact::slip_length>("m", positive, octaves(1e-6, 1e-4)),
+          has_rate_and_state},
+    Field{"contact", "reference_velocity", "V_0", "slip velocity at which steady friction is mu_d",
+          quantity<&PlateJoint::contact, &Contact::reference_velocity>("m/s", positive, octaves(1e-6, 0.1)),
+          has_rate_and_state},
     Field{"contact", "friction_table", "", "rows of speed and friction, \"0: 0.8, 10 mm/s: 0.6\", or their CSV file",
           friction_table, has_friction_table},
     Field{"contact", "interpolation", "", "between the rows: monotone cubic or linear",
@@ -207,6 +227,8 @@ const std::array table{
           choice<&PlateJoint::start, &JointStart::contact, ContactStart>(contact_start_names,
                                                                          Choice::Canonical::unless_first),
           has_given_joint},
+    Field{"contact", "initial_friction_state", "s_0", "friction state at the start: what bristles bear, or psi",
+          quantity<&PlateJoint::start, &JointStart::friction_state>("1", any), has_given_friction_state},
 
     Field{"temperature", "value", "theta", "temperature of the parts, at which the table below is read",
           quantity<&Case::temperature, &Temperature::value>("degC", temperatures), follows_temperature},

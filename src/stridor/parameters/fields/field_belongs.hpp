@@ -36,8 +36,14 @@ inline bool has_friction_table(CaseView at) {
 inline bool has_no_stick(CaseView at) {
     return is_regularised(at.own().contact.friction);
 }
+inline bool has_bristles(CaseView at) {
+    return at.own().contact.friction == FrictionKind::lugre;
+}
+inline bool has_rate_and_state(CaseView at) {
+    return has_friction_state(at.own().contact.friction) && !has_bristles(at);
+}
 inline bool has_stick(CaseView at) {
-    return !has_no_stick(at);
+    return !has_no_stick(at) && !has_friction_state(at.own().contact.friction);
 }
 inline bool has_rest(CaseView at) {
     return grows_with_rest(at.own().contact);
@@ -46,7 +52,7 @@ inline bool has_rest_exponent(CaseView at) {
     return has_rest(at) && at.own().contact.rest == RestKind::kato;
 }
 inline bool has_static_friction(CaseView at) {
-    return has_stick(at) && !all_say<&OwnContact::static_friction>(at);
+    return !has_no_stick(at) && !has_rate_and_state(at) && !all_say<&OwnContact::static_friction>(at);
 }
 inline bool has_kinetic_friction(CaseView at) {
     return !has_friction_table(at) && !all_say<&OwnContact::kinetic_friction>(at);
@@ -89,7 +95,7 @@ inline bool has_friction_slope(CaseView at) {
 }
 inline bool has_stribeck_curve(CaseView at) {
     const FrictionKind kind = at.own().contact.friction;
-    return kind == FrictionKind::stribeck || kind == FrictionKind::stribeck_rational;
+    return kind == FrictionKind::stribeck || kind == FrictionKind::stribeck_rational || kind == FrictionKind::lugre;
 }
 inline bool rebounds(CaseView at) {
     return at.own().contact.impact == ImpactKind::restitution;
@@ -115,6 +121,9 @@ inline bool has_given_joint(CaseView at) {
 }
 inline bool has_given_slip(CaseView at) {
     return has_given_joint(at) && at.own().start.contact != ContactStart::stick;
+}
+inline bool has_given_friction_state(CaseView at) {
+    return has_given_joint(at) && has_friction_state(at.own().contact.friction);
 }
 inline bool has_given_phase(CaseView at) {
     return starts_where_given(at) && has_frequency(at);

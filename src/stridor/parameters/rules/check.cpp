@@ -78,6 +78,15 @@ void check_friction_table(CaseView at, std::vector<Finding>& found) {
                          {"drive.kind", "drive.velocity", "drive.amplitude", "drive.frequency", "drive.file"}});
 }
 
+// bristles that bear nothing bend without end
+void check_bristles(CaseView at, std::vector<Finding>& found) {
+    if (!has_bristles(at) || at.own().contact.kinetic_friction > 0.0) return;
+    found.push_back({"contact.kinetic_friction",
+                     {"contact.kinetic_friction = 0 beside friction = \"lugre\"",
+                      "bristles that bear nothing have no bend", "Give it some friction."},
+                     {"contact.friction"}});
+}
+
 // where all contacts say one of them themselves, the case's own says nothing
 void check_contact(CaseView at, std::vector<Finding>& found) {
     for (const FrictionKeys& keys : friction_keys)
@@ -91,7 +100,7 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
         const OwnContact& own = c.own_structure->contacts[k];
         if (!own.static_friction && !own.kinetic_friction) continue;
         const Contact laws = contact_of(c, k);
-        if (has_friction_table(c) || has_no_stick(c))
+        if (has_friction_table(c) || has_no_stick(c) || has_rate_and_state(c))
             found.push_back({"contact.friction",
                              {"contact \"" + own.name + "\" has friction coefficients of its own",
                               "a table, or friction without a stick, is that of all contacts",
@@ -326,6 +335,7 @@ std::vector<Finding> findings_at(CaseView at) {
     find_unsolvable(at, found);
     check_contact(at, found);
     check_friction_table(at, found);
+    check_bristles(at, found);
     check_drive(c, found);
     check_run(c, found);
     check_start(at, found);

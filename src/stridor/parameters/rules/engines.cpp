@@ -61,12 +61,12 @@ const Lack lacks[] = {
      "knows plastic impacts only",
      "its impacts are what its steps make of them",
      "Set impact = \"plastic\", or run.engine = \"exact\" for a joint alone."},
-    {{Demand::other_friction, Demand::unexpanded_friction},
+    {{Demand::other_friction, Demand::unexpanded_friction, Demand::friction_state},
      {Method::exact},
      "knows no friction that changes with the slip velocity",
      "what it solves between events is linear",
      "Use the Taylor engine."},
-    {{Demand::other_friction, Demand::unexpanded_friction},
+    {{Demand::other_friction, Demand::unexpanded_friction, Demand::friction_state},
      {Method::massless},
      "knows no friction that changes with the slip velocity without inertia at the contacts",
      "there forces answer places, not velocities",
@@ -81,6 +81,11 @@ const Lack lacks[] = {
      "knows no static friction that grows with rest",
      "its formulas have one limit for all of a stick",
      "Use the Taylor engine."},
+    {{Demand::friction_state},
+     {Method::moreau, Method::beta_2},
+     "knows no friction with a state of the contact",
+     "its steps know contacts that stick, and these creep",
+     "Set run.engine = \"exact\"."},
     {{Demand::massless_rows},
      {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
      "needs mass in each row",
@@ -96,8 +101,9 @@ const Lack lacks[] = {
 // has the contact's law a power series along any motion (model/friction_jet)? A power of the slip velocity that is no
 // whole number has none where a slip begins
 bool has_series(const Contact& contact) {
-    const bool has_power =
-        contact.friction == FrictionKind::stribeck || contact.friction == FrictionKind::stribeck_rational;
+    const bool has_power = contact.friction == FrictionKind::stribeck ||
+                           contact.friction == FrictionKind::stribeck_rational ||
+                           contact.friction == FrictionKind::lugre;
     if (has_power) return contact.stribeck_exponent == std::floor(contact.stribeck_exponent);
     return !is_regularised(contact.friction);
 }
@@ -178,6 +184,7 @@ std::vector<Asked> demands_of(CaseView at) {
     if (!is_state_wise(contact.friction)) asked.push_back({Demand::other_friction});
     if (!has_series(contact)) asked.push_back({Demand::unexpanded_friction});
     if (grows_with_rest(contact)) asked.push_back({Demand::growing_friction});
+    if (has_friction_state(contact.friction)) asked.push_back({Demand::friction_state});
     return asked;
 }
 
@@ -189,6 +196,7 @@ DemandKeys keys_of(Demand demand) {
             return {"contact.impact", {"run.engine"}};
         case Demand::other_friction:
         case Demand::unexpanded_friction:
+        case Demand::friction_state:
             return {"contact.friction", {"run.engine", "run.formulation"}};
         case Demand::growing_friction:
             return {"contact.rest", {"run.engine"}};

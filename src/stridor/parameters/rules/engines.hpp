@@ -31,10 +31,11 @@ enum class Demand {
     other_friction,       // a coefficient that changes with the slip velocity: a law that is not state-wise
     unexpanded_friction,  // such a law without a power series along the motion
     growing_friction,     // static friction that grows with rest
+    friction_state,       // such a law with a state of the contact
     massless_rows,        // rows without mass
     joint,                // the mass of a joint stands at its contact
 };
-inline constexpr std::array<std::string_view, 12> demand_names{
+inline constexpr std::array<std::string_view, 13> demand_names{
     "several contacts",
     "a structure of one's own",
     "any number of degrees of freedom",
@@ -45,6 +46,7 @@ inline constexpr std::array<std::string_view, 12> demand_names{
     "friction that changes with the slip velocity",
     "friction without a power series",
     "static friction that grows with rest",
+    "friction with a state of the contact",
     "rows without mass",
     "the joint on a plate",
 };
