@@ -47,7 +47,8 @@ export interface Grip {
 export interface FrictionLaw {
   friction: string;
   speeds: number[];
-  curves: { way: string; limit: number; friction: number[] }[];
+  /** `limit`: of the stick; null of a law that creeps. One with a state is drawn as steady slip has it. */
+  curves: { way: string; limit: number | null; friction: number[] }[];
   grips: Grip[];
   /** Of a table as measured: points that may be moved both ways. */
   rows: { speed: number; friction: number }[];

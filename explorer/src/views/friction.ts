@@ -60,9 +60,10 @@ export class Friction implements ViewPart {
     const slips = law.visited
       ? `slips at ${quantity(law.visited.from, "m/s", 3)} to ${quantity(law.visited.to, "m/s", 3)}`
       : null;
-    const limits = law.curves.map(({ way, limit }) =>
-      law.curves.length > 1 ? `${way} sticks up to ${rounded(limit)}` : `sticks up to ${rounded(limit)}`,
-    );
+    const limits = law.curves.map(({ way, limit }) => {
+      const holds = limit === null ? "creeps, and never sticks" : `sticks up to ${rounded(limit)}`;
+      return law.curves.length > 1 ? `${way} ${holds}` : holds;
+    });
     return [law.friction, ...limits, ...(slips ? [slips] : [])];
   }
 
@@ -71,7 +72,7 @@ export class Friction implements ViewPart {
     if (!law) return;
     const { pen } = canvas;
     const look = palette();
-    const top = Math.max(...law.curves.flatMap(({ limit, friction }) => [limit, ...friction]));
+    const top = Math.max(...law.curves.flatMap(({ limit, friction }) => [limit ?? 0, ...friction]));
     const height = canvas.height - 46;
     // a picture that changed under the hand would take the point away from it
     const still = this.held_ === null ? null : this.frame_;
@@ -102,6 +103,7 @@ export class Friction implements ViewPart {
       for (const [point, at] of law.speeds.entries())
         pen.lineTo(...placeOf(frame, { speed: at, friction: curve.friction[point] ?? 0 }));
       pen.stroke();
+      if (curve.limit === null) continue;
       pen.strokeStyle = look.state.stick;
       pen.lineWidth = 3;
       pen.beginPath();

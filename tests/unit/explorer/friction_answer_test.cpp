@@ -70,7 +70,8 @@ TEST_P(GripsOf, LieWhereTheyAreTaken) {
             const json moved = law_of(set);
             const double speed = along_speed ? taken : grip["speed"].get<double>();
             const json& curve = curve_of(moved, grip);
-            const bool is_limit = grip["key"].get<std::string>().find("static_friction") != std::string::npos;
+            const bool is_limit = !curve["limit"].is_null() &&
+                                  grip["key"].get<std::string>().find("static_friction") != std::string::npos;
             if (along_speed) {
                 // what is moved is where the curve has this height
                 EXPECT_NEAR(friction_at(moved, curve, speed), grip["friction"].get<double>(), 2e-2) << grip;
@@ -92,8 +93,24 @@ INSTANTIATE_TEST_SUITE_P(
         Law{"Linear", {"contact.friction=linear", "contact.friction_slope=0.3"}},
         Law{"Stribeck", {"contact.friction=stribeck", "contact.stribeck_velocity=0.05"}},
         Law{"Viscous", {"contact.friction=stribeck", "contact.stribeck_velocity=0.05", "contact.viscous_friction=0.4"}},
+        Law{"Regularised", {"contact.friction=tanh", "contact.regularisation=0.01"}},
+        Law{"LuGre",
+            {"contact.friction=lugre", "contact.stribeck_velocity=0.05", "contact.bristle_stiffness=1e5",
+             "contact.bristle_damping=0"}},
         Law{"Rational", {"contact.friction=stribeck-rational", "contact.stribeck_velocity=0.02"}}),
     [](const testing::TestParamInfo<Law>& info) { return info.param.name; });
+
+// whoever creeps has no stick that could hold up to anything
+TEST(FrictionAnswer, HasNoStickOfALawThatCreeps) {
+    EXPECT_EQ(law_of({})["curves"][0]["limit"], 0.8);
+    EXPECT_TRUE(law_of({"contact.friction=tanh", "contact.regularisation=0.01"})["curves"][0]["limit"].is_null());
+    const json aged =
+        law_of({"contact.friction=dieterich", "contact.direct_effect=0.01", "contact.evolution_effect=0.015",
+                "contact.slip_length=1e-5", "contact.reference_velocity=1e-3"});
+    EXPECT_TRUE(aged["curves"][0]["limit"].is_null());
+    EXPECT_EQ(aged["grips"].size(), 1U);
+    EXPECT_NEAR(aged["grips"][0]["friction"].get<double>(), 0.6, 1e-6);
+}
 
 TEST(FrictionAnswer, HasTheRowsOfATable) {
     const json law = law_of({"contact.friction=table", "contact.friction_table=0: 0.8, 0.01: 0.5, 0.2: 0.6"});

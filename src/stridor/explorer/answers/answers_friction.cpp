@@ -79,7 +79,8 @@ std::vector<Grip> grips_of(const Contact& contact, double edge) {
                      .rate = -1.0 / speed}};
         }
         case FrictionKind::stribeck:
-        case FrictionKind::stribeck_rational: {
+        case FrictionKind::stribeck_rational:
+        case FrictionKind::lugre: {
             // at the edge it has mu_d (1 - g) + mu_s g + k_v V, where g is what is left of the fall
             const double viscous = contact.viscous_friction * edge;
             const double left = mu_s > mu_d ? (resistance_at(contact, edge) - mu_d - viscous) / (mu_s - mu_d) : 0.0;
@@ -106,6 +107,11 @@ std::vector<Grip> grips_of(const Contact& contact, double edge) {
                      .friction = resistance_at(contact, contact.regularisation),
                      .along = Along::speed,
                      .low = least}};
+        case FrictionKind::dieterich:
+        case FrictionKind::ruina:
+            return {{.key = "contact.kinetic_friction",
+                     .speed = contact.reference_velocity,
+                     .friction = resistance_at(contact, contact.reference_velocity)}};
         case FrictionKind::table:
             break;  // its rows are points
     }
@@ -156,9 +162,12 @@ Response friction(const World& world, const Json& body, const std::stop_token& s
                   {"rows", Json::array()},
                   {"visited", visited}};
     const bool is_the_same = curve.resistances[0] == curve.resistances[1] && curve.limits[0] == curve.limits[1];
+    const bool creeps =
+        parameters::is_regularised(contact.friction) || parameters::has_friction_state(contact.friction);
     const auto add = [&](const char* way, model::Slip slip) {
-        document["curves"].push_back(
-            {{"way", way}, {"limit", curve.limits[index_of(slip)]}, {"friction", curve.resistances[index_of(slip)]}});
+        document["curves"].push_back({{"way", way},
+                                      {"limit", creeps ? Json(nullptr) : Json(curve.limits[index_of(slip)])},
+                                      {"friction", curve.resistances[index_of(slip)]}});
     };
     // steady sliding over a surface that moves going lags behind it
     add(is_the_same ? "both directions" : "going", model::Slip::backward);
