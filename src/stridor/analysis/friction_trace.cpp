@@ -1,6 +1,7 @@
 #include "stridor/analysis/friction_trace.hpp"
 
 #include "stridor/analysis/friction_falls.hpp"
+#include "stridor/analysis/friction_stretches.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
@@ -14,33 +15,11 @@ namespace stridor::analysis {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t fewest_samples = 16;
-
-// samples [from, to) of one direction
-struct ForceStretch {
-    std::size_t from = 0;
-    std::size_t to = 0;
-    int direction = 1;
-};
 
 struct DropFigures {
     ForceDrop drop;
     Release release;
 };
-
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return unknown;
-    const std::size_t place = base::whole_near(share * static_cast<double>(values.size() - 1), values.size() - 1);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-    return values[place];
-}
-
-std::vector<double> magnitudes(std::span<const double> values) {
-    std::vector<double> result;
-    for (const double value : values)
-        if (std::isfinite(value)) result.push_back(std::abs(value));
-    return result;
-}
 
 // white noise from second differences, which know nothing of slow changes; the median knows nothing of drops
 double noise_of(std::span<const double> values) {
@@ -49,78 +28,6 @@ double noise_of(std::span<const double> values) {
         differences.push_back(std::abs(values[k - 1] - 2.0 * values[k] + values[k + 1]));
     std::erase_if(differences, [](double d) { return !std::isfinite(d); });
     return differences.empty() ? 0.0 : 1.4826 * quantile(std::move(differences), 0.5) / std::sqrt(6.0);
-}
-
-void require_finite(std::span<const double> values, const char* name) {
-    for (std::size_t k = 0; k < values.size(); ++k)
-        if (!std::isfinite(values[k]))
-            base::refuse(std::string("sample ") + std::to_string(k + 1) + " of the " + name + " is not a number",
-                         "figures made from it would not be either", "Cut it out of the file?");
-}
-
-void require_valid(const FrictionMeasurement& m) {
-    if (!(m.preload > 0.0) || !std::isfinite(m.preload))
-        base::refuse("a preload of " + base::shortest(m.preload) + " N is none", "it must be positive", "");
-    if (m.force.size() < fewest_samples)
-        base::refuse("the friction force has " + std::to_string(m.force.size()) + " samples",
-                     "at least " + std::to_string(fewest_samples) + " are needed", "");
-    for (const auto& [values, name] : {std::pair{m.velocity, "velocity"}, {m.normal_force, "normal force"}})
-        if (!values.empty() && values.size() != m.force.size())
-            base::refuse(std::string("the ") + name + " has another length than the friction force", "", "");
-    require_finite(m.force, "friction force");
-    require_finite(m.velocity, "velocity");
-    require_finite(m.normal_force, "normal force");
-}
-
-// T/N with its own sign; NaN where the contact is all but open
-std::vector<double> ratios(const FrictionMeasurement& m, const FrictionTraceOptions& options) {
-    std::vector<double> r(m.force.size());
-    for (std::size_t k = 0; k < r.size(); ++k) {
-        const double N = m.normal_force.empty() ? m.preload : m.normal_force[k];
-        r[k] = N > options.open_contact * m.preload ? m.force[k] / N : unknown;
-    }
-    return r;
-}
-
-void add_stretch(std::vector<ForceStretch>& stretches, const ForceStretch& stretch) {
-    if (stretch.to >= stretch.from + 3) stretches.push_back(stretch);
-}
-
-std::vector<ForceStretch> stretches_by_velocity(std::span<const double> velocity, double share) {
-    const double least = share * quantile(magnitudes(velocity), 0.95);
-    std::vector<ForceStretch> stretches;
-    std::size_t begin = 0;
-    int direction = 0;
-    for (std::size_t k = 0; k <= velocity.size(); ++k) {
-        const double v = k < velocity.size() ? velocity[k] : 0.0;
-        const int now = std::abs(v) <= least || least == 0.0 ? 0 : (v > 0.0 ? 1 : -1);
-        if (now == direction) continue;
-        if (direction != 0) add_stretch(stretches, {begin, k, direction});
-        begin = k;
-        direction = now;
-    }
-    return stretches;
-}
-
-// a reversal lies where the force passed zero last before the other sign grew large
-std::vector<ForceStretch> stretches_by_force(std::span<const double> r, double share) {
-    const double least = share * quantile(magnitudes(r), 0.95);
-    std::vector<ForceStretch> stretches;
-    std::size_t begin = 0, zero = 0;
-    int direction = 0;
-    for (std::size_t k = 0; k < r.size(); ++k) {
-        if (!std::isfinite(r[k])) continue;
-        if (k > 0 && (r[k] > 0.0) != (r[k - 1] > 0.0)) zero = k;
-        const int now = std::abs(r[k]) < least || least == 0.0 ? 0 : (r[k] > 0.0 ? 1 : -1);
-        if (now == 0 || now == direction) continue;
-        if (direction != 0) {
-            add_stretch(stretches, {begin, zero, direction});
-            begin = zero;
-        }
-        direction = now;
-    }
-    if (direction != 0) add_stretch(stretches, {begin, r.size(), direction});
-    return stretches;
 }
 
 // --- figures over many
@@ -272,9 +179,6 @@ void add_notes(FrictionTrace& trace, const FrictionMeasurement& m) {
         trace.notes.emplace_back("no drop and no peak at the beginning: the static coefficient is not to be seen");
 }
 
-// rubber under small loads reaches 5; what lies far beyond is another unit, another preload, or no measurement
-constexpr double most_friction = 20.0;  // [1]
-
 void expect_plausible(const FrictionFigures& figures) {
     for (const double coefficient :
          {figures.static_friction.value, figures.kinetic_friction.value, figures.mean_friction})
@@ -288,19 +192,11 @@ void expect_plausible(const FrictionFigures& figures) {
 }  // namespace
 
 FrictionTrace friction_trace(const FrictionMeasurement& measurement, const FrictionTraceOptions& options) {
-    require_valid(measurement);
-    const std::vector<double> r = ratios(measurement, options);
+    expect_valid(measurement);
+    const std::vector<double> r = force_ratios(measurement, options);
     const double level = quantile(magnitudes(r), 0.95);
     const double noise = noise_of(r);
-    const std::vector<ForceStretch> stretches =
-        measurement.velocity.empty() ? stretches_by_force(r, options.reversal)
-                                     : stretches_by_velocity(measurement.velocity, options.moving_velocity);
-    if (std::none_of(r.begin(), r.end(), [](double ratio) { return std::isfinite(ratio); }))
-        base::refuse("the contact is open all the time", "its normal force is zero, or far below the preload",
-                     "Is the preload right, and is that channel the normal force?");
-    if (stretches.empty())
-        base::refuse("nothing slides in this trace",
-                     measurement.velocity.empty() ? "its friction force is zero" : "its velocity is zero", "");
+    const std::vector<ForceStretch> stretches = force_stretches(measurement, r, options);
 
     FrictionTrace trace;
     trace.threshold = std::max(options.least_drop * level, options.noise_factor * noise);
