@@ -4,12 +4,15 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "library/library.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/console/results/rig_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/library/library_texts.hpp"
+#include "stridor/io/simulation/fitted_friction.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
+#include "stridor/pictures/friction_fit.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/sensitivity.hpp"
 
@@ -18,19 +21,43 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace stridor::app {
 
 namespace {
 
 struct FrictionOptions {
-    io::FrictionTexts texts;
+    io::FrictionFitTexts texts;
+    std::string fit;  // the law that was asked for, or best; empty: none is fitted
     std::string into;
+    std::string figure;
+    pictures::Sheet sheet;
     bool json = false;
 };
 
+void fit_friction(const FrictionOptions& options) {
+    const io::FittedFriction fitted = io::fitted_friction(options.texts, console::say_note);
+    const std::size_t law = options.fit == "best" ? fitted.fit.best : analysis::law_called(fitted.fit, options.fit);
+    if (!options.figure.empty()) pictures::draw(pictures::friction_fit(fitted.fit, law), options.figure, options.sheet);
+    if (!options.into.empty()) {
+        console::print_data(io::case_with_law(io::read_case(load_source(options.into)), fitted, law));
+        console::say(analysis::words_of(fitted.fit));
+        return;
+    }
+    console::print(options.json ? io::friction_fit_json(fitted, law) + "\n" : console::friction_fit_text(fitted, law));
+}
+
 void friction(const FrictionOptions& options) {
-    const io::MeasuredFriction measured = io::measured_friction(options.texts, console::say_note);
+    if (!options.fit.empty()) {
+        fit_friction(options);
+        return;
+    }
+    if (options.texts.files.size() > 1)
+        base::refuse("there are " + std::to_string(options.texts.files.size()) + " files",
+                     "one is read at a time, but for a fit", "Add --fit best?");
+    const io::MeasuredFriction measured =
+        io::measured_friction(io::texts_of_files(options.texts).front(), console::say_note);
     const analysis::FrictionTrace& trace = measured.trace;
     if (!options.into.empty()) {
         console::print_data(io::case_with_friction(io::read_case(load_source(options.into)), measured));
@@ -84,38 +111,55 @@ void add_rig_friction(CLI::App& rig) {
     auto options = std::make_shared<FrictionOptions>();
     CLI::App* command =
         rig.add_subcommand("friction", "Friction coefficients and force drops of a measured friction force.");
-    command->add_option("file", options->texts.file, "measurement: CSV, UFF58 or WAV; - reads stdin")->required();
-    command->add_option("--preload", options->texts.preload, "force that presses the parts together")
+    command->add_option("file", options->texts.files, "measurement: CSV, UFF58 or WAV; - reads stdin; several to fit")
+        ->required();
+    io::FrictionTexts& shared = options->texts.shared;
+    command
+        ->add_option("--preload", shared.preload,
+                     "force that presses the parts together; of several files \"10 N, 40 N\"")
         ->type_name("FORCE")
         ->required();
-    command
-        ->add_option("--channel", options->texts.channel,
-                     "the friction force: name or number (default: the only one in N)")
+    command->add_option("--channel", shared.channel, "the friction force: name or number (default: the only one in N)")
         ->type_name("NAME|NUMBER");
     command
-        ->add_option("--velocity-channel", options->texts.velocity_channel,
+        ->add_option("--velocity-channel", shared.velocity_channel,
                      "the imposed velocity (default: the only one in m/s)")
         ->type_name("NAME|NUMBER");
     command
-        ->add_option("--normal-channel", options->texts.normal_channel,
+        ->add_option("--normal-channel", shared.normal_channel,
                      "the pressing force (default: the one that says so, else the preload)")
         ->type_name("NAME|NUMBER");
-    command->add_option("--velocity", options->texts.velocity, "nominal velocity of the test")->type_name("VELOCITY");
-    command->add_option("--full-scale", options->texts.full_scale, "what 1 in an uncalibrated file stands for")
+    command
+        ->add_option("--velocity", shared.velocity, "nominal velocity of the test; of several files \"1 mm/s, 4 mm/s\"")
+        ->type_name("VELOCITY");
+    command->add_option("--full-scale", shared.full_scale, "what 1 in an uncalibrated file stands for")
         ->type_name("VALUE");
-    command->add_option("--least-drop", options->texts.least_drop, "smallest drop, as a share of the force's level")
+    command->add_option("--least-drop", shared.least_drop, "smallest drop, as a share of the force's level")
         ->check(CLI::Range(1e-4, 1.0))
         ->capture_default_str();
-    command->add_option("--longest-drop", options->texts.longest_drop, "a fall that takes longer is drift")
+    command->add_option("--longest-drop", shared.longest_drop, "a fall that takes longer is drift")
         ->type_name("TIME")
         ->capture_default_str();
+    std::vector<std::string> laws{"best"};
+    laws.insert(laws.end(), analysis::fitted_names.begin(), analysis::fitted_names.end());
+    CLI::Option* fit =
+        command->add_option("--fit", options->fit, "fit the laws over the speed of slip, and use this or the best one")
+            ->check(one_of(laws));
+    CLI::Option* figure =
+        command->add_option("--figure", options->figure, "draw points, laws and what is left to FILE.png, .svg or .pdf")
+            ->type_name("FILE")
+            ->check(in_a_folder())
+            ->needs(fit);
+    add_sheet_options(*command, options->sheet, figure);
     CLI::Option* into =
-        command->add_option("--into", options->into, "print this case with the coefficients put in")->type_name("CASE");
-    add_json_option(*command, options->json, "stridor.friction/1")->excludes(into);
+        command->add_option("--into", options->into, "print this case with the coefficients, or the law, put in")
+            ->type_name("CASE");
+    add_json_option(*command, options->json, "stridor.friction/1, with --fit stridor.friction-fit/1")->excludes(into);
     command->footer(
         "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
         "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"
-        "  stridor rig friction seal.csv --preload \"10 N\" --into seal.toml > measured.toml");
+        "  stridor rig friction seal.csv --preload \"10 N\" --into seal.toml > measured.toml\n"
+        "  stridor rig friction slow.csv fast.csv --preload \"10 N\" --velocity \"1 mm/s, 20 mm/s\" --fit best");
     command->callback([options] { friction(*options); });
 }
 

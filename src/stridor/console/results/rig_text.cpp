@@ -27,6 +27,17 @@ void add_figures(TextTable& table, const FrictionFigures& figures) {
             number_or_dash(figures.largest_drop, "{:.4g} N"), number_or_dash(figures.variation, "{:.4g}"));
 }
 
+// "v_s 0.0204 m/s"
+std::string value_text(const analysis::FittedNumber& number) {
+    return fmt::format("{} {:.4g}{}", number.symbol, number.value, after_number(number.unit == "1" ? "" : number.unit));
+}
+
+// "0.0195 to 0.0213"
+std::string interval_text(const analysis::FittedNumber& number) {
+    return std::isfinite(number.to) ? fmt::format("{:.4g} to {:.4g}", number.from, number.to)
+                                    : fmt::format("{:.4g} or more", number.from);
+}
+
 using noise_library::Bin;
 using noise_library::CategoryRange;
 using noise_library::RankCorrelation;
@@ -128,6 +139,51 @@ std::string friction_text(const io::FrictionTest& test, const FrictionTrace& tra
         text += fmt::format("; {:.4g} drops per millimetre",
                             static_cast<double>(trace.all.drops) / (1e3 * trace.all.distance));
     return text + "; +- is one standard uncertainty\n";
+}
+
+std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law) {
+    const analysis::FrictionFit& fit = fitted.fit;
+    std::string text;
+    for (const io::FrictionTest& test : fitted.tests) {
+        text += styled(test.file, Style::bold, STDOUT_FILENO) +
+                fmt::format(": {:.4g} s at {:g} Hz, preload {:g} N", test.duration, test.rate, test.preload);
+        if (std::isfinite(test.velocity)) text += fmt::format(", {:.4g} mm/s", 1e3 * test.velocity);
+        text += "\n";
+    }
+    if (!fit.data.points.empty()) {
+        text += fmt::format("{} at {} of slip, as good as {:.0f} independent ones",
+                            counted(fit.data.points.size(), "point", "points"), counted(fit.speeds, "speed", "speeds"),
+                            fit.independent);
+        if (fit.data.longest_block > 0.0)
+            text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
+        text += "\n";
+    }
+    TextTable table{{left("law"), right("deviation"), right("difference"), left("  numbers")}};
+    table.heading = Style::bold;
+    for (const analysis::FittedLaw& each : fit.laws) {
+        std::string numbers;
+        for (const analysis::FittedNumber& number : each.numbers)
+            numbers += "  " + value_text(number);
+        if (each.contact.friction == parameters::FrictionKind::table)
+            numbers = "  " + counted(each.contact.friction_table.speeds.size(), "row", "rows");
+        add_row(table, analysis::fitted_names[each.kind], fmt::format("{:.2g}", each.deviation),
+                fmt::format("{:.1f}", each.difference), numbers);
+    }
+    for (const analysis::UnfittedLaw& each : fit.unfitted)
+        add_row(table, analysis::fitted_names[each.kind], "-", "-", "  " + each.why);
+    text += "\n" + text_of(table);
+    const analysis::FittedLaw& asked = fit.laws[law];
+    const bool is_table = asked.contact.friction == parameters::FrictionKind::table;
+    text += fmt::format("\n{}{}\n", analysis::fitted_names[asked.kind], is_table ? "" : ", with intervals of 95 %");
+    if (is_table) {
+        for (std::size_t k = 0; k < asked.contact.friction_table.speeds.size(); ++k)
+            text += fmt::format("  {:>10.4g} mm/s  {:.4g}\n", 1e3 * asked.contact.friction_table.speeds[k],
+                                asked.contact.friction_table.coefficients[k]);
+    } else {
+        for (const analysis::FittedNumber& number : asked.numbers)
+            text += fmt::format("  {:<18} {}\n", value_text(number), interval_text(number));
+    }
+    return text + "\n" + analysis::words_of(fit) + "\n";
 }
 
 std::string sensitivity_text(const Sensitivity& result, SensitivityRows rows) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "stridor/io/simulation/fitted_friction.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace stridor::console {
@@ -12,6 +14,9 @@ std::string coefficient_text(const analysis::MeasuredCoefficient& coefficient);
 
 /// Coefficients and force drops by direction, and what they were measured with.
 std::string friction_text(const io::FrictionTest& test, const analysis::FrictionTrace& trace);
+
+/// Each law that was fitted, the intervals of the one at this place, and what the data bear.
+std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law);
 
 /// What the rows of the table are: bins of the quantity, or single records.
 enum class SensitivityRows { bins, records };

@@ -5,6 +5,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/json_members.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/io/simulation/friction_test_json.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/open_signal.hpp"
@@ -107,7 +108,7 @@ double to_four_digits(double value) {
 
 }  // namespace
 
-MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note) {
+RecordedFriction recorded_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note) {
     recordings::OpenOptions open;
     if (!texts.full_scale.empty()) open.full_scales = {recordings::parse_full_scale(texts.full_scale)};
     const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(texts.file, open);
@@ -116,20 +117,17 @@ MeasuredFriction measured_friction(const FrictionTexts& texts, const std::functi
         recordings::friction_channels(layout, {texts.channel, texts.velocity_channel, texts.normal_channel});
     for (const std::string& each : file->facts().notes)
         note(each);
-    const std::vector<signal::Signal> channels = signal::read_all(*file, most_samples);
-
-    analysis::FrictionMeasurement measurement;
+    RecordedFriction recorded;
+    recorded.channels = signal::read_all(*file, most_samples);
+    const std::vector<signal::Signal>& channels = recorded.channels;
+    analysis::FrictionMeasurement& measurement = recorded.measurement;
     measurement.rate = layout.rate;
     measurement.preload = base::parse_quantity(texts.preload, "N");
     measurement.force = channels[places.force].samples;
     if (places.velocity) measurement.velocity = channels[*places.velocity].samples;
     if (places.normal) measurement.normal_force = channels[*places.normal].samples;
-    analysis::FrictionTraceOptions settings;
-    settings.least_drop = texts.least_drop;
-    settings.longest_drop = base::parse_quantity(texts.longest_drop, "s");
-    FrictionTrace trace = analysis::friction_trace(measurement, settings);
 
-    FrictionTest test;
+    FrictionTest& test = recorded.test;
     test.file = texts.file;
     test.channel = layout.channels[places.force].name;
     if (places.velocity) test.velocity_channel = layout.channels[*places.velocity].name;
@@ -141,14 +139,29 @@ MeasuredFriction measured_friction(const FrictionTexts& texts, const std::functi
                     : places.velocity       ? recordings::usual_speed(channels[*places.velocity].samples)
                                             : std::numeric_limits<double>::quiet_NaN();
     test.condition = analysis::vda_condition(test.preload, test.velocity);
-    for (const std::string& each : trace.notes)
-        note(each);
-    return {std::move(test), std::move(trace)};
+    return recorded;
 }
 
-namespace {
+analysis::FrictionTraceOptions trace_options(const FrictionTexts& texts) {
+    analysis::FrictionTraceOptions settings;
+    settings.least_drop = texts.least_drop;
+    settings.longest_drop = base::parse_quantity(texts.longest_drop, "s");
+    return settings;
+}
 
-// what was measured is meant for all contacts, as it is for all of several joints
+base::Json test_object(const FrictionTest& test, base::Json& units) {
+    put_units(units, "", test_members);
+    return object_of(test_members, test);
+}
+
+MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note) {
+    RecordedFriction recorded = recorded_friction(texts, note);
+    FrictionTrace trace = analysis::friction_trace(recorded.measurement, trace_options(texts));
+    for (const std::string& each : trace.notes)
+        note(each);
+    return {std::move(recorded.test), std::move(trace)};
+}
+
 std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters::OwnStructure structure) {
     for (parameters::OwnContact& contact : structure.contacts) {
         contact.static_friction.reset();
@@ -156,8 +169,6 @@ std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters:
     }
     return std::make_shared<const parameters::OwnStructure>(std::move(structure));
 }
-
-}  // namespace
 
 std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured) {
     const auto& [test, trace] = measured;

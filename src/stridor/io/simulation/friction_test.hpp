@@ -2,9 +2,13 @@
 
 #include "stridor/analysis/friction_trace.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/signal/source.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 /// Friction coefficients out of a rig's recording, and into a case.
 namespace stridor::io {
@@ -38,13 +42,30 @@ struct FrictionTexts {
     std::string longest_drop = "250 ms";
 };
 
+/// A recording of a rig.
+struct RecordedFriction {
+    FrictionTest test{};
+    std::vector<signal::Signal> channels{};
+    analysis::FrictionMeasurement measurement{};  // of these channels
+};
+
+/// Reads a recording, an hour of four channels at 10 kHz at most; `note` is told what is noteworthy. Throws `Error`
+/// (input) where a text or the channels are not clear, and what reading throws.
+RecordedFriction recorded_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note);
+
+/// Returns the definitions of a command line.
+analysis::FrictionTraceOptions trace_options(const FrictionTexts& texts);
+
+/// Returns a structure whose contacts have no friction of their own: what was measured is meant for all.
+std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters::OwnStructure structure);
+
 /// The friction of a recording, and what it was measured with.
 struct MeasuredFriction {
     FrictionTest test{};
     analysis::FrictionTrace trace{};
 };
 
-/// Reads a recording, an hour of four channels at 10 kHz at most, and measures its friction; `note` is told what is
+/// Reads a recording and measures its friction; `note` is told what is
 /// noteworthy.
 ///
 /// Throws `Error` (input) where a text or the channels are not clear, and what reading and measuring throw.

@@ -1,0 +1,182 @@
+#include "stridor/io/simulation/fitted_friction.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/json_members.hpp"
+#include "stridor/io/json_parts.hpp"
+#include "stridor/io/simulation/friction_test_json.hpp"
+#include "stridor/parameters/fields/case_key.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using analysis::FittedLaw;
+using analysis::FittedNumber;
+using base::Json;
+
+constexpr auto number_members = std::to_array<Member<FittedNumber>>({
+    {{"key"}, [](const FittedNumber& number) -> Json { return number.key; }},
+    {{"symbol"}, [](const FittedNumber& number) -> Json { return number.symbol; }},
+    {{"unit"}, [](const FittedNumber& number) -> Json { return number.unit; }},
+    {{"value"}, &FittedNumber::value},
+    {{"from"}, &FittedNumber::from},
+    {{"to"}, &FittedNumber::to},
+});
+
+constexpr auto law_members = std::to_array<Member<FittedLaw>>({
+    {{"law"}, [](const FittedLaw& law) -> Json { return analysis::fitted_names[law.kind]; }},
+    {{"numbers"}, [](const FittedLaw& law) { return objects_of(number_members, law.numbers); }},
+    {{"free_numbers"}, [](const FittedLaw& law) -> Json { return law.free_numbers; }},
+    {{"deviation", "1"}, &FittedLaw::deviation},
+    {{"criterion", "1"}, &FittedLaw::criterion},
+    {{"difference", "1"}, &FittedLaw::difference},
+    {{"table_speeds", "m/s"}, [](const FittedLaw& law) -> Json { return law.contact.friction_table.speeds; }},
+    {{"table_friction", "1"}, [](const FittedLaw& law) -> Json { return law.contact.friction_table.coefficients; }},
+});
+
+// four digits say more than any rig measures
+double to_four_figures(double value) {
+    if (value == 0.0) return 0.0;
+    const double scale = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
+}
+
+std::vector<std::string> listed_texts(const std::string& text, std::size_t files, const char* option) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        parts.emplace_back(base::trimmed(std::string_view(text).substr(from, comma - from)));
+        from = comma + 1;
+    }
+    if (parts.size() == 1) return std::vector<std::string>(files, parts.front());
+    if (parts.size() != files)
+        base::refuse(fmt::format("{} has {} values for {} file{}", option, parts.size(), files, files == 1 ? "" : "s"),
+                     "it takes one for all, or one each", "");
+    return parts;
+}
+
+// an error about a file names it
+template <typename Function>
+auto at_file(const std::string& file, Function function) {
+    try {
+        return function();
+    } catch (const Error& error) {
+        if (error.place() || error.complaints().size() > 1) throw;
+        throw Error(error.kind(), error.problem(), base::Place{file, 0, 0, {}});
+    }
+}
+
+Json names_of(const analysis::FrictionFit& fit, const std::vector<std::size_t>& laws) {
+    return json_parts::array_of(laws,
+                                [&](std::size_t law) -> Json { return analysis::fitted_names[fit.laws[law].kind]; });
+}
+
+}  // namespace
+
+std::vector<FrictionTexts> texts_of_files(const FrictionFitTexts& texts) {
+    const std::size_t files = texts.files.size();
+    const std::vector<std::string> preloads = listed_texts(texts.shared.preload, files, "--preload");
+    const std::vector<std::string> velocities = listed_texts(texts.shared.velocity, files, "--velocity");
+    std::vector<FrictionTexts> each(files, texts.shared);
+    for (std::size_t k = 0; k < files; ++k) {
+        each[k].file = texts.files[k];
+        each[k].preload = preloads[k];
+        each[k].velocity = velocities[k];
+    }
+    return each;
+}
+
+FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note) {
+    const analysis::FrictionTraceOptions options = trace_options(texts.shared);
+    FittedFriction fitted;
+    analysis::FrictionPoints points;
+    for (const FrictionTexts& each : texts_of_files(texts)) {
+        const RecordedFriction recorded = at_file(each.file, [&] { return recorded_friction(each, note); });
+        const analysis::FrictionRun run{each.file, recorded.measurement, recorded.test.velocity};
+        at_file(each.file, [&] {
+            analysis::add_run(points, run, fitted.tests.size(), options);
+            return 0;
+        });
+        fitted.tests.push_back(recorded.test);
+    }
+    for (const std::string& each : points.notes)
+        note(each);
+    fitted.fit = analysis::friction_fit(std::move(points));
+    return fitted;
+}
+
+std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
+    const analysis::FrictionFit& fit = fitted.fit;
+    Json document = json_parts::opening("friction-fit");
+    Json units = Json::object();
+    document["runs"] =
+        json_parts::array_of(fitted.tests, [&](const FrictionTest& test) { return test_object(test, units); });
+    document["laws"] = objects_of(law_members, fit.laws);
+    document["not_fitted"] = json_parts::array_of(fit.unfitted, [](const analysis::UnfittedLaw& each) -> Json {
+        return {{"law", analysis::fitted_names[each.kind]}, {"why", each.why}};
+    });
+    document["best"] = analysis::fitted_names[fit.laws[fit.best].kind];
+    document["not_told_apart"] = names_of(fit, fit.rivals);
+    document["no_better"] = names_of(fit, fit.richer);
+    document["sentence"] = analysis::words_of(fit);
+    document["asked"] = analysis::fitted_names[fit.laws[law].kind];
+    document["independent"] = fit.independent;
+    document["speeds"] = fit.speeds;
+    Json& points = document["points"] = Json::array();
+    for (std::size_t k = 0; k < fit.data.points.size(); ++k) {
+        const analysis::FrictionPoint& point = fit.data.points[k];
+        points.push_back({{"run", point.run},
+                          {"speed", analysis::mean_speed(point)},
+                          {"friction", point.friction},
+                          {"residual", fit.laws[law].residuals[k]}});
+    }
+    document["notes"] = fit.data.notes;
+    put_units(units, "", law_members);
+    units["independent"] = "1";
+    units["points.speed"] = "m/s";
+    units["points.friction"] = "1";
+    units["points.residual"] = "1";
+    document["units"] = units;
+    return base::text_of(document);
+}
+
+std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std::size_t law) {
+    const FittedLaw& wanted = fitted.fit.laws[law];
+    std::string files;
+    for (const FrictionTest& test : fitted.tests)
+        files += (files.empty() ? "" : ", ") + test.file;
+    const std::string heading = fmt::format("friction fitted: {}\n{}", files, analysis::words_of(fitted.fit));
+    if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
+    for (parameters::PlateJoint& joint : c.joints) {
+        joint.contact.friction = wanted.contact.friction;
+        joint.contact.interpolation = wanted.contact.interpolation;
+        joint.contact.friction_table = wanted.contact.friction_table;
+        for (std::vector<double>* values :
+             {&joint.contact.friction_table.speeds, &joint.contact.friction_table.coefficients})
+            for (double& value : *values)
+                value = to_four_figures(value);
+    }
+    for (const FittedNumber& number : wanted.numbers)
+        parameters::set_quantity(c, number.key, to_four_figures(number.value));
+    if (wanted.contact.friction == parameters::FrictionKind::table) {
+        parameters::set_quantity(c, "contact.static_friction", to_four_figures(wanted.contact.static_friction));
+    } else {
+        parameters::set_quantity(c, "contact.kinetic_friction", to_four_figures(wanted.contact.kinetic_friction));
+        parameters::set_quantity(c, "contact.static_friction", to_four_figures(wanted.contact.static_friction));
+    }
+    return case_toml(c, {Comments::full, heading});
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "stridor/analysis/friction_fit.hpp"
+#include "stridor/io/simulation/friction_test.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Laws of friction fitted to a rig's recordings, and into a case.
+namespace stridor::io {
+
+/// Recordings and what is known of them, as a command line says it; quantities carry their units.
+struct FrictionFitTexts {
+    std::vector<std::string> files{};
+    FrictionTexts shared{};  // its preload and velocity: one for all files, or as many as files, between commas
+};
+
+/// Laws fitted to recordings, and what these were measured with.
+struct FittedFriction {
+    std::vector<FrictionTest> tests{};
+    analysis::FrictionFit fit{};
+};
+
+/// Returns the texts of each file, with its own preload and velocity. Throws `Error` (input) for lists of another
+/// length.
+std::vector<FrictionTexts> texts_of_files(const FrictionFitTexts& texts);
+
+/// Reads recordings and fits each law of friction; `note` is told what is noteworthy. Throws `Error` (input), with the
+/// file as its place, for what reading and fitting refuse.
+FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note);
+
+/// "stridor.friction-fit/1": runs, laws with their numbers and intervals, what the data bear, the points; `law` is the
+/// place of the law that was asked for.
+std::string friction_fit_json(const FittedFriction& fitted, std::size_t law);
+
+/// The text of a case with a fitted law, to four digits, of all its joints or contacts.
+std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std::size_t law);
+
+}  // namespace stridor::io

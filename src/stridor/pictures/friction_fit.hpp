@@ -1,0 +1,14 @@
+#pragma once
+
+#include "stridor/analysis/friction_fit.hpp"
+#include "stridor/drawing/scene.hpp"
+
+#include <cstddef>
+
+namespace stridor::pictures {
+
+/// Draws friction over the speed of slip: the points that were measured, the law with its place in `fit.laws` and those
+/// that the data do not tell from it; below, what the law leaves of the points.
+drawing::Scene friction_fit(const analysis::FrictionFit& fit, std::size_t law);
+
+}  // namespace stridor::pictures
