@@ -136,7 +136,7 @@ export function stability(
   return json(post("/api/stability", { ...body(design), ...(over ? { over } : {}) }, signal));
 }
 
-/** The law of friction with the speeds between which the case slips; without, and up to `reach`, where that is given. */
+/** The law of friction with the speeds at which the case slips; up to `reach` and without them, where that is given. */
 export function friction(design: Design, reach: number | null, signal?: AbortSignal): Promise<FrictionLaw> {
   return json(post("/api/friction", { ...body(design), ...(reach === null ? { visited: true } : { reach }) }, signal));
 }

@@ -43,8 +43,8 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
 Response stability(const World& world, const Json& body, const std::stop_token& stop);
 
 /// Returns "stridor.explorer.friction/1": the one law of friction of a case over the speed of slip, the points of it
-/// that may be moved and what each sets, and between which speeds the case slips if the body asks for `visited`. The picture reaches at least to these
-/// speeds, or to `reach` [m/s].
+/// that may be moved and what each sets, and between which speeds the case slips if the body asks for `visited`. The
+/// picture reaches at least to these speeds, or to `reach` [m/s].
 Response friction(const World& world, const Json& body, const std::stop_token& stop);
 
 /// Returns the case, or the chart if the body has one, as a TOML file.
