@@ -69,6 +69,8 @@ velocity = 0.1
 duration = 20
 `;
 
+const stribeck = ["contact.friction=stribeck", "contact.stribeck_velocity=0.05"];
+
 /** An answer, which is held against its type in the end. */
 async function answerOf(type, path, body) {
   const response = await ask(path, body);
@@ -141,6 +143,7 @@ test("simulations of every ending", async () => {
     { preset: "squeal", set: [] },
     { preset: "squeal", set: ["run.engine=beta_2"] },
     { preset: "squeal", set: ["run.engine=moreau", "run.step=1e-5"] },
+    { preset: "squeal", set: ["run.engine=auto", "run.step=1e-5", ...stribeck, "contact.stribeck_exponent=1.5"] },
     { preset: "quiet", set: ["drive.kind=constant", "drive.velocity=1"] }, // proven to be silent
     { preset: "squeal", set: ["drive.kind=constant", "drive.velocity=1"] }, // a limit cycle
     { preset: "file", set: [] },
@@ -148,9 +151,19 @@ test("simulations of every ending", async () => {
   const simulations = [];
   for (const design of designs) simulations.push(await answerOf("Simulation", "/api/simulate", design));
   keptWhole("Margin", simulations[0].phases[0].verdict.margins[0]);
-  keptWhole("Engine", { ...simulations[1].engine, ...simulations[2].engine });
+  keptWhole("Engine", Object.assign({}, ...simulations.slice(1, 4).map(({ engine }) => engine)));
   keptWhole("Verdict", simulations[2].phases[0].verdict);
   keptWhole("Outcome", Object.assign({}, ...simulations.map(({ outcome }) => outcome)));
+});
+
+test("laws of friction", async () => {
+  const law = await answerOf("FrictionLaw", "/api/friction", { preset: "squeal", set: stribeck, visited: true });
+  keptWhole("Grip", law.grips[0]);
+  const rows = ["contact.friction=table", "contact.friction_table=0: 0.8, 0.1: 0.5"];
+  const measured = await answerOf("FrictionLaw", "/api/friction", { preset: "squeal", set: rows, reach: 0.2 });
+  assert.equal(measured.rows.length, 2);
+  const smooth = ["contact.friction=tanh", "contact.regularisation=0.01"];
+  await answerOf("FrictionLaw", "/api/friction", { preset: "squeal", set: smooth });
 });
 
 test("the header of a motion", async () => {
