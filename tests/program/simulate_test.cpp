@@ -122,12 +122,31 @@ TEST(Simulate, ChoosesAnEngineAndSaysWhich) {
 }
 
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
-    for (const std::string kind :
-         {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip", "weatherstrip-shaken",
-          "glass-run", "clip", "wiper", "brake-pad", "two-lips", "chain", "string"})
+    for (const std::string kind : {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip",
+                                   "weatherstrip-shaken", "glass-run", "clip", "wiper", "brake-pad", "wiper-wet",
+                                   "weatherstrip-falling", "two-lips", "chain", "string"})
         EXPECT_EQ(stridor::support::read_text(std::filesystem::path(STRIDOR_SOURCE_DIR) / "cases" / (kind + ".toml")),
                   run({"init", kind}).out)
             << kind;
+}
+
+// of two engines that share no code: events by Taylor series, and small steps
+TEST(Cases, OfFrictionOverTheSlipVelocityAreJudgedAlikeByTwoEngines) {
+    struct Judged {
+        const char* kind;
+        const char* velocity;
+        const char* words;
+    };
+    for (const auto& [kind, velocity, words] :
+         {Judged{"wiper-wet", "0.05", "all     squeal"}, Judged{"wiper-wet", "0.5", "all     none "},
+          Judged{"weatherstrip-falling", "-0.05", "all     squeal"}})
+        for (const char* engine : {"run.engine=exact", "run.engine=moreau"}) {
+            const Finished finished =
+                run({"simulate", "-", "--set", std::string("drive.velocity=") + velocity, "--set", engine}, {},
+                    run({"init", kind}).out);
+            EXPECT_EQ(finished.exit_code, 0) << finished.err;
+            EXPECT_NE(finished.out.find(words), std::string::npos) << kind << ", " << engine << "\n" << finished.out;
+        }
 }
 
 TEST(Check, PrintsTheResolvedCaseFrequenciesAndCost) {

@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/case/case_schema.hpp"
+#include "stridor/io/case/ready_laws.hpp"
 #include "stridor/io/case/ready_structures.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -26,6 +27,8 @@ std::vector<std::string> ready_file_names() {
     std::vector<std::string> names(parameters::paper_case_names.begin(), parameters::paper_case_names.end());
     for (sweep::ReadyChart& chart : sweep::ready_charts())
         names.push_back(std::move(chart.name));
+    for (const ReadyLaw& law : ready_laws())
+        names.emplace_back(law.name);
     names.emplace_back(two_lips_name);
     for (const ReadyStructure& structure : ready_structures())
         names.emplace_back(structure.name);
@@ -36,6 +39,8 @@ std::vector<std::string> ready_file_names() {
 std::string ready_file(const std::string& name) {
     if (name == "schema") return json_schema();
     if (name == two_lips_name) return case_toml(parameters::two_lips());
+    for (const ReadyLaw& law : ready_laws())
+        if (name == law.name) return study_toml(law.make(), {.heading = std::string(law.source)});
     for (const ReadyStructure& structure : ready_structures())
         if (name == structure.name) return case_toml(structure.make());
     for (const sweep::ReadyChart& chart : sweep::ready_charts())

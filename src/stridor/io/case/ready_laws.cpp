@@ -1,0 +1,69 @@
+#include "stridor/io/case/ready_laws.hpp"
+
+#include "stridor/sweep/ready_charts.hpp"
+
+#include <array>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+constexpr std::string_view wiper_source =
+    "Friction of rubber on wet glass falls with the slip velocity, from solid contact to a film of water:\n"
+    "F. Deleau, D. Mazuyer, A. Koenen, Tribology International 42 (2009) 149. The exponential is that of\n"
+    "J. Le Rouzic, A. Le Bot, J. Perret-Liaudet and others, Tribology Letters 49 (2013) 563, who have from\n"
+    "it when a blade squeals. We read the abstracts, no table: 0.9, 0.2 and 0.1 m/s are estimates of wet\n"
+    "rubber. Replace them by what you measured. The rest is `stridor init wiper`.";
+
+constexpr std::string_view seal_source =
+    "Friction that falls with the slip velocity marks the pairs of materials that make noise:\n"
+    "N. S. Eiss, E. Lee, M. Trapp, SAE 972056 (1997). No open table has a slope for rubber on paint: 0.9 and\n"
+    "1.5 s/m are estimates. Replace them by what you measured. The lip is that of `stridor init weatherstrip`;\n"
+    "it trails, since a leading one locks.";
+
+sweep::Study over_velocity_and_preload(sweep::Study study, sweep::Axis velocity, sweep::Axis preload) {
+    study.x = std::move(velocity);
+    study.y = std::move(preload);
+    study.directions = {parameters::Direction::going};
+    return study;
+}
+
+sweep::Study wet_wiper() {
+    sweep::Study study = sweep::soft_part(sweep::SoftPart::wiper);
+    study.base.title = "wiper on wet glass: friction falls with the slip velocity";
+    study.base.drive.velocity = 0.05;
+    parameters::Contact& contact = study.base.contact();
+    contact.friction = parameters::FrictionKind::stribeck;
+    contact.static_friction = 0.9;
+    contact.kinetic_friction = 0.2;
+    contact.stribeck_velocity = 0.1;
+    return over_velocity_and_preload(std::move(study), {"drive.velocity", 0.02, 1.0, 20, sweep::Scale::logarithmic},
+                                     {"contact.preload", 2.0, 40.0, 14, sweep::Scale::logarithmic});
+}
+
+sweep::Study falling_weatherstrip() {
+    sweep::Study study = sweep::soft_part(sweep::SoftPart::weatherstrip);
+    study.base.title = "weatherstrip that trails: friction falls with the slip velocity";
+    study.base.drive.velocity = -0.05;
+    parameters::Contact& contact = study.base.contact();
+    contact.friction = parameters::FrictionKind::linear;
+    contact.static_friction = 0.9;
+    contact.kinetic_friction = 0.9;
+    contact.friction_slope = 1.5;
+    study = over_velocity_and_preload(std::move(study), {"drive.velocity", 5e-3, 0.5, 20, sweep::Scale::logarithmic},
+                                      {"contact.preload", 1.0, 40.0, 14, sweep::Scale::logarithmic});
+    study.directions = {parameters::Direction::coming};
+    return study;
+}
+
+constexpr std::array<ReadyLaw, 2> all_laws{
+    {{"wiper-wet", wiper_source, wet_wiper}, {"weatherstrip-falling", seal_source, falling_weatherstrip}}};
+
+}  // namespace
+
+std::span<const ReadyLaw> ready_laws() {
+    return all_laws;
+}
+
+}  // namespace stridor::io

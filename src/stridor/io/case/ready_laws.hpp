@@ -1,0 +1,20 @@
+#pragma once
+
+#include "stridor/sweep/study.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace stridor::io {
+
+/// A soft part whose friction changes with the slip velocity, with its chart over velocity and preload.
+struct ReadyLaw {
+    std::string_view name;
+    std::string_view source;  // where the law comes from, and which of its numbers are estimates: a file's heading
+    sweep::Study (*make)();
+};
+
+/// wiper-wet: a lip on wet glass, Stribeck's curve. weatherstrip-falling: a trailing lip on paint, a linear fall.
+std::span<const ReadyLaw> ready_laws();
+
+}  // namespace stridor::io
