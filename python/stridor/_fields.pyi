@@ -89,6 +89,8 @@ class Contact(Section):
     rest_time: Quantity
     rest_exponent: Quantity
     initial_rest: Quantity
+    pair: Word
+    humidity: Quantity
     impact: Word
     restitution: Quantity
     initial_state: Word

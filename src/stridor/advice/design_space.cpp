@@ -7,6 +7,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/usual_range.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
@@ -136,6 +137,9 @@ std::string quantity_key_called(const Case& c, std::string_view name) {
         base::refuse("\"" + std::string(name) + "\" changes nothing",
                      "this case, with its kind of drive and start, does not use it",
                      "`stridor check FILE` lists what it uses.");
+    if (parameters::temperature_column(c, key) == nullptr && parameters::follows_table(c, key))
+        base::refuse(key + " cannot be set", "it follows from contact.pair",
+                     "Vary what the pair depends on instead, or remove contact.pair.");
     if (parameters::temperature_column(c, key) != nullptr)
         base::refuse(key + " cannot be set", "it follows the temperature by a table",
                      "Vary temperature instead, or take it out of [temperature].");

@@ -147,8 +147,9 @@ std::vector<std::string> overrides_in(const Json& body) {
             refuse_request(parameters::key_of(*field) + " cannot be set here",
                            "the explorer opens no files on request");
         const auto* numbers = field == nullptr ? nullptr : std::get_if<parameters::Text>(&field->kind);
-        const bool is_file = numbers != nullptr && numbers->means == parameters::Text::Means::numbers &&
-                             text.substr(text.find('=') + 1).find(':') == std::string::npos;
+        const bool is_file =
+            numbers != nullptr && numbers->means == parameters::Text::Means::numbers &&
+            text.substr(text.find('=') + 1).find(key == "contact.pair" ? ';' : ':') == std::string::npos;
         if (is_file)
             refuse_request(parameters::key_of(*field) + " takes rows here, no file",
                            "the explorer opens no files on request");

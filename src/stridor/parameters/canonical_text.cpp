@@ -5,6 +5,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <string>
@@ -18,7 +19,7 @@ bool is_canonical(CaseView at, const Field& field) {
     const auto* text = std::get_if<Text>(&field.kind);
     // a title or a file name changes no result
     const bool names_a_thing = text != nullptr && text->means != Text::Means::numbers;
-    const bool follows = temperature_column(at, field) != nullptr;
+    const bool follows = follows_table(at, field);
     const bool is_content = is_of_builder(field);  // structure.content says it
     return field.belongs(at) && !names_a_thing && !is_content && !follows && !goes_without_saying(at, field);
 }

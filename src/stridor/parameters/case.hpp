@@ -111,6 +111,16 @@ struct FrictionTable {
     std::vector<double> coefficients;  // [1] there, shape [row]
 };
 
+/// Friction coefficients of a pair of materials at the points of a grid over what they depend on.
+struct MaterialPair {
+    std::string source;                      // "pairs.toml: EPDM on glass", or the table as text; empty: there is none
+    std::vector<double> temperature{};       // [degC] nodes, rising; none: it does not depend on it
+    std::vector<double> humidity{};          // [1] relative, the same
+    std::vector<double> load{};              // [N] preload of the contact, the same
+    std::vector<double> static_friction{};   // [1] mu_s, shape [temperature, humidity, load]; none: file not read
+    std::vector<double> kinetic_friction{};  // [1] mu_d <= mu_s, the same shape
+};
+
 /// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or another law.
 struct Contact {
     double preload = 20.0;  // [N] F, pressing force at rest
@@ -139,6 +149,8 @@ struct Contact {
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
+    MaterialPair pair{};       // whose coefficients mu_s and mu_d are, if there is one
+    double humidity = 0.5;     // [1] pair: relative, of the air
 };
 
 /// Does static friction of the contact grow with the time of rest? Without a stick none does.

@@ -6,6 +6,7 @@
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
@@ -165,7 +166,7 @@ analysis::ScanRange telling_range(const Case& design) {
     const std::vector<double>& at = design.temperature.at;
     if (parameters::temperature_column(design, friction) != nullptr)
         return {"temperature.value", at.front(), at.back()};
-    if (!parameters::belongs(design, friction)) {
+    if (!parameters::belongs(design, friction) || parameters::follows_table(design, friction)) {
         const sweep::Axis x = sweep::usual_axes(design, 2).first;
         return {x.parameter, x.from, x.to};
     }

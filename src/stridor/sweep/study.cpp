@@ -10,7 +10,7 @@
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/rules/check.hpp"
 #include "stridor/parameters/rules/resolution.hpp"
-#include "stridor/parameters/tables/temperature_table.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -225,7 +225,7 @@ Axis resting_axis(const Case& c, const Axis& x) {
     // what x leaves alone and does not follow the temperature; of several joints the first one's
     const auto rests = [&](std::string_view key) {
         return parameters::belongs(c, key) && !parameters::overlap(c, x.parameter, key) &&
-               parameters::temperature_column(c, key) == nullptr;
+               !parameters::follows_table(c, key);
     };
     const auto* const found = std::find_if(resting.begin(), resting.end(), rests);
     STRIDOR_EXPECT(found != resting.end());

@@ -14,6 +14,7 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ std::string field_line(parameters::CaseView at, const parameters::Field& field) 
     if (parameters::damping_ratio(at, field))
         value = fmt::format("{:.6g} {} ({})", parameters::get_quantity(at, field), parameters::unit_of(field), value);
     if (parameters::temperature_column(at, field) != nullptr) value += ", over temperature";
+    if (parameters::follows_pair(at, field)) value += ", of contact.pair";
     return fmt::format("{:<20} = {:<16} ", field.name, value) +
            styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
 }

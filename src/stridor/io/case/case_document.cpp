@@ -6,6 +6,7 @@
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <cstddef>
@@ -82,7 +83,7 @@ private:
 
     // what a builder takes is said by its recipe; what follows the temperature, by its table
     bool has_entry(CaseView at, const Field& field) const {
-        if (temperature_column(at, field) != nullptr || is_of_builder(field)) return false;
+        if (parameters::follows_table(at, field) || is_of_builder(field)) return false;
         // an empty title of several joints is none
         if (field.section.empty() && parameters::has_several_joints(c_) && c_.title.empty()) return false;
         if (depth_ == CaseDepth::whole_and_idle && !field.belongs(at)) return !home_of(at, field).empty();
@@ -120,6 +121,7 @@ private:
     }
 
     void add_temperature_table() {
+        if (!parameters::has_temperature_table(c_)) return;  // a pair follows the temperature
         add("at", c_.temperature.at);
         for (const parameters::TemperatureColumn& column : c_.temperature.columns)
             if (column.holds == parameters::TemperatureColumn::Holds::damping_ratio)

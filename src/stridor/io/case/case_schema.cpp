@@ -279,9 +279,12 @@ std::string json_schema() {
     allow_several_joints(document);
     allow_own_structure(document);
     // last: they move what stands before
-    document["if"] = {
-        {"not",
-         {{"anyOf", {{{"required", Json::array({"temperature"})}}, {{"required", Json::array({"structure"})}}}}}}};
+    document["if"] = {{"not",
+                       {{"anyOf",
+                         {{{"required", Json::array({"temperature"})}},
+                          {{"required", Json::array({"structure"})}},
+                          {{"required", Json::array({"contact"})},
+                           {"properties", {{"contact", {{"required", Json::array({"pair"})}}}}}}}}}}};
     document["then"] = without_temperature();
     return document.dump(2);
 }

@@ -9,6 +9,7 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/rules/check.hpp"
 #include "stridor/parameters/tables/friction_table.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -224,11 +225,37 @@ void read_friction(Case& c, const TomlDocument& document, const FrictionReader& 
     }
 }
 
+// the pairs that the case names, which decide what else belongs to it: whether there is a humidity
+void read_pairs(Case& c, const TomlDocument& document, const PairReader& read) {
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint) {
+        const TomlEntry* entry = document.find("contact.pair", joint);
+        const auto* text = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value);
+        if (text == nullptr) continue;
+        const std::filesystem::path folder =
+            entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
+        try {
+            parameters::MaterialPair pair = parameters::parse_material_pair(*text);
+            if (pair.static_friction.empty() && !pair.source.empty()) {
+                const parameters::NamedPair named = parameters::named_pair(*text);
+                pair = read((folder / named.file).string(), named.name);
+            }
+            pair.source = *text;
+            c.joints[joint].contact.pair = std::move(pair);
+        } catch (const Error& error) {
+            if (error.place()) throw;
+            throw located(error, "contact.pair", entry->value_place);
+        }
+    }
+    parameters::keep_pairs(c);
+}
+
 // do the values have to fit together, or do axes replace some of them first?
 enum class ReadAs { complete_case, base_of_chart };
 
 Case read_fields(const TomlDocument& fields, const CaseReaders& readers, ReadAs what, const Case& beginning) {
-    CaseReading reading(fields, beginning);
+    Case begun = beginning;
+    read_pairs(begun, fields, readers.pair);
+    CaseReading reading(fields, begun);
     reading.read_kinds();
     reading.read_values();
     if (what == ReadAs::base_of_chart) reading.throw_any();
@@ -323,7 +350,11 @@ CaseReaders readers_without_files() {
         throw Error(ErrorKind::input, {"contact.friction_table is no file here",
                                        "a case that came with a recording names no files", "Give its rows."});
     };
-    return {none, read_enclosed_structure, no_table};
+    const PairReader no_pair = [](const std::string&, const std::string&) -> parameters::MaterialPair {
+        throw Error(ErrorKind::input, {"contact.pair names no file here",
+                                       "a case that came with a recording names no files", "Give its rows."});
+    };
+    return {none, read_enclosed_structure, no_table, no_pair};
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers) {

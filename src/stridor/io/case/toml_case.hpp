@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/case/material_pairs.hpp"
 #include "stridor/io/case/own_structure/toml_structure.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
@@ -20,6 +21,9 @@ using SamplesReader = std::function<recordings::SampledMotion(const std::string&
 /// Gives a table of friction by the path of its file.
 using FrictionReader = std::function<recordings::SampledFriction(const std::string& path)>;
 
+/// Gives the coefficients of a pair of materials by the path of its file and by its name there.
+using PairReader = std::function<parameters::MaterialPair(const std::string& path, const std::string& name)>;
+
 /// Makes the structure of a document that has one of its own, as [structure].
 using StructureReader = std::function<std::shared_ptr<const parameters::OwnStructure>(const TomlDocument&)>;
 
@@ -28,6 +32,7 @@ struct CaseReaders {
     SamplesReader samples = recordings::read_sampled_file;
     StructureReader structure = read_own_structure;
     FrictionReader friction = recordings::read_friction_file;
+    PairReader pair = read_material_pair;
 };
 
 /// Returns readers for a document whose user may name no files: the numbers of its structure stand in it.

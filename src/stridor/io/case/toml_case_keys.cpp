@@ -6,7 +6,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/parameters/tables/temperature_table.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>
@@ -138,7 +138,7 @@ std::vector<std::string> check_complete(const Case& c, const DocumentView& view,
         const std::string key = parameters::key_of(field);
         const bool is_known = field.section != "drive" || field.name == "kind" || knows_drive;
         const bool is_needed =
-            is_known && is_required(field) && field.belongs(at) && parameters::temperature_column(at, field) == nullptr;
+            is_known && is_required(field) && field.belongs(at) && !parameters::follows_table(at, field);
         if (is_needed && view.find(key) == nullptr && !contains(unread, key)) missing.push_back(key);
     }
     if (!missing.empty()) complaints.add(missing_keys(at, view.document, missing));
@@ -192,13 +192,16 @@ void check_belonging(const Case& of_file, const Case& c, const DocumentView& vie
             continue;
         }
         if (home.empty() && has_temperature_list(document)) continue;  // a table that has complaints of its own
-        complaints.add(
-            {ErrorKind::input,
-             {entry.key + " means nothing for this case",
-              home.empty() ? "nothing follows the temperature" : "it belongs to " + home,
-              home.empty() ? "Give [temperature] a table: at = [...] and, for example, axial_stiffness = [...]."
-                           : "Remove it, or change the other key."},
-             entry.key_place});
+        complaints.add({ErrorKind::input,
+                        {entry.key + " means nothing for this case",
+                         !home.empty()                     ? "it belongs to " + home
+                         : field->section == "temperature" ? std::string("nothing follows the temperature")
+                                                           : std::string("no pair of materials depends on it"),
+                         !home.empty() ? "Remove it, or change the other key."
+                         : field->section == "temperature"
+                             ? "Give [temperature] a table: at = [...] and, for example, axial_stiffness = [...]."
+                             : "Remove it, or give contact.pair such a pair."},
+                        entry.key_place});
     }
 }
 

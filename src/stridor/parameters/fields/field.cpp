@@ -9,6 +9,7 @@
 #include "stridor/parameters/fields/field_ranges.hpp"
 #include "stridor/parameters/tables/damping_ratio.hpp"
 #include "stridor/parameters/tables/friction_table.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
@@ -86,6 +87,15 @@ constexpr Text friction_table{
     [](CaseView at) { return friction_table_text(at.own().contact.friction_table); },
     [](CaseToSet at, std::string_view text) { at.own().contact.friction_table = parse_friction_table(text); },
     Text::Means::numbers};
+
+// whoever names the pair again that is read already keeps what was read
+constexpr Text material_pair{[](CaseView at) { return material_pair_text(at.own().contact.pair); },
+                             [](CaseToSet at, std::string_view text) {
+                                 MaterialPair& pair = at.own().contact.pair;
+                                 if (pair.source != text) pair = parse_material_pair(text);
+                                 keep_pairs(at.c);
+                             },
+                             Text::Means::numbers};
 
 const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
@@ -218,6 +228,10 @@ const std::array table{
           has_rest_exponent},
     Field{"contact", "initial_rest", "t_r", "time for which the contact has stuck when the run begins",
           quantity<&PlateJoint::contact, &Contact::rested>("s", not_negative), has_rest},
+    Field{"contact", "pair", "", "pair of materials with its coefficients, \"pairs.toml: EPDM on glass\"",
+          material_pair, has_pair},
+    Field{"contact", "humidity", "", "relative humidity of the air, at which the pair is read",
+          quantity<&PlateJoint::contact, &Contact::humidity>("1", share, between(0.0, 1.0)), follows_humidity},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&PlateJoint::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
@@ -426,24 +440,52 @@ void refuse_follower(CaseView at, const Field& field) {
     if (temperature_column(at, field) != nullptr)
         throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
                                        "Set temperature.value instead, or take it out of [temperature]."});
+    if (follows_pair(at, field))
+        base::refuse(key_of(field) + " cannot be set", "it follows from contact.pair",
+                     "Remove it, or remove contact.pair.");
+}
+
+// where the pairs that depend on it end; of the temperature, those of all joints
+Range within_pairs(CaseView at, const Field& field, Range range) {
+    const bool is_shared = field.section == "temperature";
+    for (std::size_t joint = 0; joint < at.c.joints.size(); ++joint) {
+        if (!is_shared && joint != at.joint) continue;
+        const std::span<const double> nodes = pair_nodes(at.c.joints[joint].contact.pair, field);
+        if (!nodes.empty())
+            range = {std::max(range.low, nodes.front()), std::min(range.high, nodes.back()), Range::Low::closed};
+    }
+    return range;
+}
+
+bool is_within_pairs(CaseView at, const Field& field) {
+    const Range range = within_pairs(at, field, {});
+    return std::isfinite(range.low) || std::isfinite(range.high);
 }
 
 }  // namespace
 
 Range range_of(CaseView at, const Field& field) {
-    if (is_temperature_of_table(at, field)) return {at.c.temperature.at.front(), at.c.temperature.at.back()};
-    return std::get<Quantity>(field.kind).range;
+    const bool has_table = is_temperature_of_table(at, field);
+    const Range range = has_table ? Range{at.c.temperature.at.front(), at.c.temperature.at.back()}
+                                  : std::get<Quantity>(field.kind).range;
+    return within_pairs(at, field, range);
 }
 
 void expect_in_range(CaseView at, const Field& field, double value) {
     const auto& quantity = std::get<Quantity>(field.kind);
     const Range range = range_of(at, field);
-    if (!std::isfinite(value) || !contains(range, value))
-        throw Error(ErrorKind::input,
-                    {key_of(field) + " = " + base::shortest(value) + " is out of range",
-                     "it must be " + (std::isfinite(value) ? range_text(range, quantity.unit) : std::string("finite")) +
-                         (is_temperature_of_table(at, field) ? ", where the table ends" : ""),
-                     is_temperature_of_table(at, field) ? "Extend the table in [temperature]." : ""});
+    if (std::isfinite(value) && contains(range, value)) return;
+    const bool is_of_table = is_temperature_of_table(at, field);
+    const bool is_of_pair = !is_of_table && is_within_pairs(at, field);
+    throw Error(ErrorKind::input,
+                {key_of(field) + " = " + base::shortest(value) + " is out of range",
+                 "it must be " + (std::isfinite(value) ? range_text(range, quantity.unit) : std::string("finite")) +
+                     (is_of_table  ? ", where the table ends"
+                      : is_of_pair ? ", where the rows of contact.pair end"
+                                   : ""),
+                 is_of_table  ? "Extend the table in [temperature]."
+                 : is_of_pair ? "Add rows to the pair, or stay within them."
+                              : ""});
 }
 
 void set_quantity(CaseToSet at, const Field& field, double value) {
@@ -452,6 +494,7 @@ void set_quantity(CaseToSet at, const Field& field, double value) {
     std::get<Quantity>(field.kind).set(at, value);
     if (std::optional<double>* ratio = damping_ratio_of(at, key_of(field))) ratio->reset();
     keep_temperature_table(at.c);
+    keep_pairs(at.c);
     keep_damping_ratios(at.c);
 }
 

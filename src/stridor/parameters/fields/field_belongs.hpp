@@ -16,7 +16,15 @@ inline bool has_joints(CaseView at) {
     return !at.c.own_structure;
 }
 inline bool follows_temperature(CaseView at) {
-    return !at.c.temperature.at.empty();
+    return !at.c.temperature.at.empty() ||
+           std::any_of(at.c.joints.begin(), at.c.joints.end(),
+                       [](const PlateJoint& joint) { return !joint.contact.pair.temperature.empty(); });
+}
+inline bool has_pair(CaseView at) {
+    return !at.own().contact.pair.source.empty();
+}
+inline bool follows_humidity(CaseView at) {
+    return !at.own().contact.pair.humidity.empty();
 }
 inline bool has_own_structure(CaseView at) {
     return at.c.own_structure != nullptr;

@@ -2,7 +2,7 @@
 
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field_ranges.hpp"
-#include "stridor/parameters/tables/temperature_table.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,11 @@ UsualRange within(UsualRange usual, const Range& allowed) {
 std::optional<UsualRange> usual_range(const Case& c, std::string_view key) {
     const Field* field = field_of(key);
     const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
-    if (quantity == nullptr || !belongs(c, key) || temperature_column(c, key) != nullptr) return std::nullopt;
-    if (key == "temperature.value") return between(c.temperature.at.front(), c.temperature.at.back());
+    if (quantity == nullptr || !belongs(c, key) || follows_table(c, key)) return std::nullopt;
+    if (key == "temperature.value") {
+        const Range range = range_of(c, *field);
+        return between(range.low, range.high);
+    }
     const std::optional<UsualRange> usual = unlimited_range(*field, *quantity, get_quantity(c, key));
     return usual ? std::optional(within(*usual, range_of(c, key))) : std::nullopt;
 }
@@ -53,7 +56,7 @@ std::optional<UsualRange> usual_range(const Case& c, std::string_view key) {
 std::vector<std::string> design_keys(const Case& c) {
     std::vector<std::string> keys;
     for (const std::string& key : quantity_keys(c))
-        if (std::get<Quantity>(field_of(key)->kind).usual && temperature_column(c, key) == nullptr) keys.push_back(key);
+        if (std::get<Quantity>(field_of(key)->kind).usual && !follows_table(c, key)) keys.push_back(key);
     return keys;
 }
 

@@ -9,6 +9,7 @@
 #include "stridor/parameters/rules/engines.hpp"
 #include "stridor/parameters/rules/resolution.hpp"
 #include "stridor/parameters/start.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
@@ -85,6 +86,39 @@ void check_bristles(CaseView at, std::vector<Finding>& found) {
                      {"contact.kinetic_friction = 0 beside friction = \"lugre\"",
                       "bristles that bear nothing have no bend", "Give it some friction."},
                      {"contact.friction"}});
+}
+
+// what a pair depends on lies within its rows
+void check_pair(CaseView at, std::vector<Finding>& found) {
+    const MaterialPair& pair = at.own().contact.pair;
+    if (pair.source.empty()) return;
+    if (pair.static_friction.empty()) {
+        found.push_back({"contact.pair",
+                         {"contact.pair has no coefficients", "\"" + pair.source + "\" was not read", ""},
+                         {"contact.pair"}});
+        return;
+    }
+    for (const std::string_view key : {"contact.static_friction", "contact.kinetic_friction"})
+        if (temperature_column(at, *find_field(key)) != nullptr)
+            found.push_back({"contact.pair",
+                             {std::string(key) + " follows both contact.pair and [temperature]", "it has one value",
+                              "Take it out of one of the two."},
+                             {"temperature.value"}});
+    if (!pair.load.empty() && !is_preloaded(at.c))
+        found.push_back(
+            {"contact.pair",
+             {"contact.pair depends on the load, and this case has none",
+              "the load is contact.preload; here others press the contacts", "Give the coefficients instead."},
+             {"contact.preload"}});
+    for (const std::string_view key : {"temperature.value", "contact.humidity", "contact.preload"}) {
+        const Field& field = *find_field(key);
+        if (pair_nodes(pair, field).empty() || !field.belongs(at)) continue;
+        try {
+            expect_in_range(at, field, get_quantity(at, field));
+        } catch (const Error& error) {
+            found.push_back({std::string(key), error.problem(), {"contact.pair"}});
+        }
+    }
 }
 
 // where all contacts say one of them themselves, the case's own says nothing
@@ -336,6 +370,7 @@ std::vector<Finding> findings_at(CaseView at) {
     check_contact(at, found);
     check_friction_table(at, found);
     check_bristles(at, found);
+    check_pair(at, found);
     check_drive(c, found);
     check_run(c, found);
     check_start(at, found);

@@ -4,6 +4,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <algorithm>
@@ -134,9 +135,15 @@ drawing::StyledText conditions(const parameters::Case& c, std::span<const std::s
     };
     // what follows an axis has no one value
     const bool is_temperature_varied = varies("temperature.value");
+    const auto follows_by_pair = [&](std::string_view key) {
+        return parameters::follows_pair(c, *parameters::find_field(key)) &&
+               std::any_of(varied.begin(), varied.end(), [&](std::string_view each) {
+                   return !parameters::pair_nodes(c.contact().pair, *parameters::field_of(each)).empty();
+               });
+    };
     std::vector<std::string_view> kept;
     for (const std::string_view key : telling)
-        if (!is_of_one(key) && !varies(key) &&
+        if (!is_of_one(key) && !varies(key) && !follows_by_pair(key) &&
             !(is_temperature_varied && parameters::temperature_column(c, key) != nullptr))
             kept.push_back(key);
     const drawing::StyledText row = settings(c, kept);
