@@ -11,6 +11,7 @@
 #include "stridor/io/library/library_texts.hpp"
 #include "stridor/io/simulation/fitted_friction.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/io/simulation/rig_risk.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 #include "stridor/pictures/friction_fit.hpp"
 #include "stridor/pictures/picture_files.hpp"
@@ -30,6 +31,8 @@ namespace {
 struct FrictionOptions {
     io::FrictionFitTexts texts;
     std::string fit;  // the law that was asked for, or best; empty: none is fitted
+    bool risk = false;
+    io::RiskTexts rig;
     std::string into;
     std::string figure;
     pictures::Sheet sheet;
@@ -53,9 +56,14 @@ void friction(const FrictionOptions& options) {
         fit_friction(options);
         return;
     }
+    if (options.risk) {
+        const io::RigRisk risk = io::rig_risk(options.texts, options.rig, console::say_note);
+        console::print(options.json ? io::rig_risk_json(risk) + "\n" : console::risk_text(risk));
+        return;
+    }
     if (options.texts.files.size() > 1)
         base::refuse("there are " + std::to_string(options.texts.files.size()) + " files",
-                     "one is read at a time, but for a fit", "Add --fit best?");
+                     "one is read at a time, but for a fit or a risk number", "Add --fit best or --risk?");
     const io::MeasuredFriction measured =
         io::measured_friction(io::texts_of_files(options.texts).front(), console::say_note);
     const analysis::FrictionTrace& trace = measured.trace;
@@ -151,10 +159,27 @@ void add_rig_friction(CLI::App& rig) {
             ->check(in_a_folder())
             ->needs(fit);
     add_sheet_options(*command, options->sheet, figure);
+    CLI::Option* risk =
+        command->add_flag("--risk", options->risk, "a number from 1 to 10 for each run, and what the model says")
+            ->excludes(fit);
+    command->add_option("--risk-range", options->rig.ranges, "other ends of a figure's ranks, \"impulse_rate=0.1:50\"")
+        ->type_name("FIGURE=FROM:TO")
+        ->allow_extra_args(false)
+        ->needs(risk);
+    command->add_option("--mass", options->rig.mass, "the rig's moving mass")->type_name("MASS")->needs(risk);
+    command->add_option("--stiffness", options->rig.stiffness, "of the rig's spring")
+        ->type_name("STIFFNESS")
+        ->needs(risk);
+    command->add_option("--damping", options->rig.damping, "of the rig (default: none)")
+        ->type_name("DAMPING")
+        ->needs(risk);
     CLI::Option* into =
         command->add_option("--into", options->into, "print this case with the coefficients, or the law, put in")
-            ->type_name("CASE");
-    add_json_option(*command, options->json, "stridor.friction/1, with --fit stridor.friction-fit/1")->excludes(into);
+            ->type_name("CASE")
+            ->excludes(risk);
+    add_json_option(*command, options->json,
+                    "stridor.friction/1, with --fit stridor.friction-fit/1, with --risk stridor.friction-risk/1")
+        ->excludes(into);
     command->footer(
         "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
         "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"

@@ -4,7 +4,9 @@
 #include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/simulation/fitted_friction.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/io/simulation/rig_risk.hpp"
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/io/sound/named_sound.hpp"
 #include "stridor/io/sound/signal_report.hpp"
@@ -171,6 +173,80 @@ TEST(CaseWithFriction, TakesTheKineticCoefficientWhereNoStaticOneIsSeen) {
     EXPECT_NE(text.find("no static coefficient was to be seen"), std::string::npos);
     EXPECT_TRUE(thrown_by([&] { case_with_friction({}, measured(0.5, unseen)); }).says("nothing slides in it"));
     EXPECT_TRUE(thrown_by([&] { case_with_friction({}, measured(0.4, 0.5)); }).says("comes out below"));
+}
+
+// friction at six speeds, exactly of Stribeck's law
+FittedFriction fitted_stribeck() {
+    analysis::FrictionPoints points;
+    for (std::size_t k = 0; k < 60; ++k) {
+        analysis::FrictionPoint point;
+        const double speed = 0.01 * static_cast<double>(k % 6 + 1);
+        point.speeds.fill(speed);
+        // deviations that are even at each speed
+        point.friction = 0.3 + 0.2 * std::exp(-speed / 0.02) + (k / 6 % 2 == 0 ? 1e-4 : -1e-4);
+        points.points.push_back(point);
+    }
+    FittedFriction fitted;
+    fitted.tests.push_back({});
+    fitted.tests.back().file = "rig.csv";
+    fitted.fit = analysis::friction_fit(points);
+    return fitted;
+}
+
+TEST(CaseWithLaw, HasTheLawToFourDigits) {
+    const FittedFriction fitted = fitted_stribeck();
+    const std::string text = case_with_law({}, fitted, analysis::law_called(fitted.fit, "stribeck"));
+    EXPECT_NE(text.find("# friction fitted: rig.csv"), std::string::npos);
+    const parameters::Contact contact = read_case({text, "fitted.toml", {}}).contact();
+    EXPECT_EQ(contact.friction, parameters::FrictionKind::stribeck);
+    EXPECT_NEAR(contact.static_friction, 0.5, 1e-3);
+    EXPECT_NEAR(contact.kinetic_friction, 0.3, 1e-3);
+    EXPECT_NEAR(contact.stribeck_velocity, 0.02, 2e-4);
+    EXPECT_EQ(std::round(1e5 * contact.stribeck_velocity), 1e5 * contact.stribeck_velocity);
+}
+
+TEST(CaseWithLaw, HasTheRowsOfATable) {
+    const FittedFriction fitted = fitted_stribeck();
+    parameters::Case slow;  // no faster than the table's last row
+    slow.drive.kind = parameters::DriveKind::constant;
+    slow.drive.velocity = 0.05;
+    const std::string text = case_with_law(slow, fitted, analysis::law_called(fitted.fit, "table"));
+    const parameters::Contact contact = read_case({text, "fitted.toml", {}}).contact();
+    EXPECT_EQ(contact.friction, parameters::FrictionKind::table);
+    EXPECT_EQ(contact.interpolation, parameters::Interpolation::linear);
+    ASSERT_EQ(contact.friction_table.speeds.size(), 7U);
+    EXPECT_NEAR(contact.friction_table.coefficients[2], 0.3 + 0.2 * std::exp(-1.0), 1e-3);
+    EXPECT_EQ(contact.static_friction, contact.friction_table.coefficients[0]);
+}
+
+TEST(FrictionFitJson, TellsNumbersIntervalsAndWhatTheDataBear) {
+    const FittedFriction fitted = fitted_stribeck();
+    const std::string text = friction_fit_json(fitted, fitted.fit.best);
+    for (const char* part :
+         {"\"schema\": \"stridor.friction-fit/1\"", "\"best\": \"stribeck\"", "\"asked\": \"stribeck\"",
+          "\"key\": \"contact.stribeck_velocity\"", "\"sentence\": \"The data bear stribeck.", "\"residual\"",
+          "\"points.speed\": \"m/s\"", "\"file\": \"rig.csv\""})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+TEST(FrictionFitTexts, AreOneForAllFilesOrOneEach) {
+    FrictionFitTexts texts;
+    texts.files = {"slow.csv", "fast.csv"};
+    texts.shared.preload = "10 N";
+    texts.shared.velocity = "1 mm/s, 20 mm/s";
+    const std::vector<FrictionTexts> each = texts_of_files(texts);
+    ASSERT_EQ(each.size(), 2U);
+    EXPECT_EQ(each[1].file, "fast.csv");
+    EXPECT_EQ(each[1].preload, "10 N");
+    EXPECT_EQ(each[1].velocity, "20 mm/s");
+    texts.shared.preload = "1 N, 2 N, 3 N";
+    EXPECT_TRUE(thrown_by([&] { texts_of_files(texts); }).says("--preload has 3 values for 2 files"));
+}
+
+TEST(RigRisk, RefusesRangesThatAreNone) {
+    const auto note = [](const std::string&) {};
+    for (const char* range : {"noise=1:2", "acceleration", "impulse_rate=5:1", "impulse_rate=0:1"})
+        EXPECT_EQ(thrown_by([&] { rig_risk({}, {{}, {}, {}, {range}}, note); }).kind, ErrorKind::input) << range;
 }
 
 TEST(NamedSound, IsACaseACellOrARecording) {

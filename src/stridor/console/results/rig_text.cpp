@@ -186,6 +186,37 @@ std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law)
     return text + "\n" + analysis::words_of(fit) + "\n";
 }
 
+std::string risk_text(const io::RigRisk& risk) {
+    TextTable table{{left("run")}};
+    table.heading = Style::bold;
+    for (const analysis::RiskScale& scale : risk.scales) {
+        std::string heading(scale.key);
+        std::replace(heading.begin(), heading.end(), '_', ' ');
+        table.columns.push_back(right(heading));
+        table.columns.push_back(right("rank"));
+    }
+    table.columns.push_back(right("number"));
+    table.columns.push_back(left("  model"));
+    for (const io::RunRisk& run : risk.runs) {
+        std::vector<std::string> row{run.test.file};
+        for (std::size_t k = 0; k < analysis::risk_figures; ++k) {
+            row.push_back(std::isfinite(run.risk.figures[k])
+                              ? fmt::format("{:.3g} {}", run.risk.figures[k], risk.scales[k].unit)
+                              : "-");
+            row.push_back(number_or_dash(run.risk.ranks[k], "{:.1f}"));
+        }
+        row.push_back(std::to_string(run.risk.number));
+        row.push_back("  " + (run.category.empty() ? "-" : run.category));
+        table.rows.push_back(std::move(row));
+    }
+    std::string text = text_of(table) + "\nranks from 1 to 10:";
+    for (std::size_t k = 0; k < analysis::risk_figures; ++k)
+        text += fmt::format("{} {} {:g} to {:g} {}", k == 0 ? "" : ",", risk.scales[k].key, risk.scales[k].low,
+                            risk.scales[k].high, risk.scales[k].unit);
+    return text + fmt::format("\nrisk number {}: {}; by Stridor's own rule, not VDA 230-206's tables\n", risk.number,
+                              analysis::risk_word(risk.number));
+}
+
 std::string sensitivity_text(const Sensitivity& result, SensitivityRows rows) {
     std::string text = rows == SensitivityRows::records ? records_table(result) : bins_table(result);
     text += "\n" + categories_table(result) + "\n";

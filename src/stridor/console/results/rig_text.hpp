@@ -2,6 +2,7 @@
 
 #include "stridor/io/simulation/fitted_friction.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/io/simulation/rig_risk.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include <cstddef>
@@ -17,6 +18,9 @@ std::string friction_text(const io::FrictionTest& test, const analysis::Friction
 
 /// Each law that was fitted, the intervals of the one at this place, and what the data bear.
 std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law);
+
+/// Figures, ranks and number of each run, beside the model's category.
+std::string risk_text(const io::RigRisk& risk);
 
 /// What the rows of the table are: bins of the quantity, or single records.
 enum class SensitivityRows { bins, records };
