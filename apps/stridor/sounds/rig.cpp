@@ -33,6 +33,7 @@ struct FrictionOptions {
     std::string fit;  // the law that was asked for, or best; empty: none is fitted
     bool risk = false;
     io::RiskTexts rig;
+    io::PairConditions pair;
     std::string into;
     std::string figure;
     pictures::Sheet sheet;
@@ -67,6 +68,10 @@ void friction(const FrictionOptions& options) {
     const io::MeasuredFriction measured =
         io::measured_friction(io::texts_of_files(options.texts).front(), console::say_note);
     const analysis::FrictionTrace& trace = measured.trace;
+    if (!options.pair.name.empty()) {
+        console::print_data(io::pair_row(measured, options.pair));
+        return;
+    }
     if (!options.into.empty()) {
         console::print_data(io::case_with_friction(io::read_case(load_source(options.into)), measured));
         console::say(fmt::format("static {}, kinetic {}", console::coefficient_text(trace.all.static_friction),
@@ -173,10 +178,22 @@ void add_rig_friction(CLI::App& rig) {
     command->add_option("--damping", options->rig.damping, "of the rig (default: none)")
         ->type_name("DAMPING")
         ->needs(risk);
+    CLI::Option* pair =
+        command->add_option("--pair", options->pair.name, "print the coefficients as a row of pairs.toml, of this pair")
+            ->type_name("NAME")
+            ->excludes(fit)
+            ->excludes(risk);
+    command->add_option("--temperature", options->pair.temperature, "of the test, for the row")
+        ->type_name("TEMPERATURE")
+        ->needs(pair);
+    command->add_option("--humidity", options->pair.humidity, "of the test, for the row")
+        ->type_name("HUMIDITY")
+        ->needs(pair);
     CLI::Option* into =
         command->add_option("--into", options->into, "print this case with the coefficients, or the law, put in")
             ->type_name("CASE")
-            ->excludes(risk);
+            ->excludes(risk)
+            ->excludes(pair);
     add_json_option(*command, options->json,
                     "stridor.friction/1, with --fit stridor.friction-fit/1, with --risk stridor.friction-risk/1")
         ->excludes(into);

@@ -243,6 +243,13 @@ TEST(FrictionFitTexts, AreOneForAllFilesOrOneEach) {
     EXPECT_TRUE(thrown_by([&] { texts_of_files(texts); }).says("--preload has 3 values for 2 files"));
 }
 
+TEST(PairRow, HasTheConditionsThatAreKnown) {
+    EXPECT_EQ(pair_row(measured(0.612349, 0.45), {"seal on \"glass\"", "23 degC", {}}),
+              "[[pair]]\nname = \"seal on \\\"glass\\\"\"\nsource = \"rig.csv\"\ntemperature = \"23 degC\"\n"
+              "load = \"10 N\"\nstatic_friction = 0.6123\nkinetic_friction = 0.45\n");
+    EXPECT_TRUE(thrown_by([] { pair_row(measured(0.5, 0.4), {"seal", "23 N", {}}); }).says("a temperature"));
+}
+
 TEST(RigRisk, RefusesRangesThatAreNone) {
     const auto note = [](const std::string&) {};
     for (const char* range : {"noise=1:2", "acceleration", "impulse_rate=5:1", "impulse_rate=0:1"})

@@ -170,19 +170,56 @@ std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters:
     return std::make_shared<const parameters::OwnStructure>(std::move(structure));
 }
 
-std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured) {
-    const auto& [test, trace] = measured;
+namespace {
+
+// to four digits, as a model takes them
+struct ModelCoefficients {
+    double mu_s = 0.0;  // [1]
+    double mu_d = 0.0;  // [1]
+    bool has_static = true;
+};
+
+ModelCoefficients model_coefficients(const FrictionTrace& trace) {
     const double mu_d = to_four_digits(trace.all.kinetic_friction.value);
     double mu_s = to_four_digits(trace.all.static_friction.value);
     if (!std::isfinite(mu_d)) base::refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");
-    std::string heading = fmt::format("friction coefficients measured: {}, preload {:g} N", test.file, test.preload);
-    if (!std::isfinite(mu_s)) {
-        mu_s = mu_d;
-        heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
-    }
+    const bool has_static = std::isfinite(mu_s);
+    if (!has_static) mu_s = mu_d;
     if (mu_s < mu_d)
         base::refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
                      "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
+    return {mu_s, mu_d, has_static};
+}
+
+// a TOML string
+std::string quoted(const std::string& text) {
+    return base::text_of(Json(text));
+}
+
+}  // namespace
+
+std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions) {
+    const auto [mu_s, mu_d, has_static] = model_coefficients(measured.trace);
+    std::string row = "[[pair]]\nname = " + quoted(conditions.name) + "\nsource = " + quoted(measured.test.file) + "\n";
+    if (!conditions.temperature.empty()) {
+        base::parse_quantity(conditions.temperature, "degC");
+        row += "temperature = " + quoted(conditions.temperature) + "\n";
+    }
+    if (!conditions.humidity.empty()) {
+        base::parse_quantity(conditions.humidity, "%");
+        row += "humidity = " + quoted(conditions.humidity) + "\n";
+    }
+    row += fmt::format("load = \"{:g} N\"\nstatic_friction = {:g}\nkinetic_friction = {:g}\n", measured.test.preload,
+                       mu_s, mu_d);
+    if (!has_static) row += "# no static coefficient was to be seen: it is set to the kinetic one\n";
+    return row;
+}
+
+std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured) {
+    const auto [mu_s, mu_d, has_static] = model_coefficients(measured.trace);
+    std::string heading =
+        fmt::format("friction coefficients measured: {}, preload {:g} N", measured.test.file, measured.test.preload);
+    if (!has_static) heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
     if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
     parameters::set_quantity(c, "contact.static_friction", mu_s);
     parameters::set_quantity(c, "contact.kinetic_friction", mu_d);

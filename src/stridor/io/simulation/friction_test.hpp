@@ -71,6 +71,17 @@ struct MeasuredFriction {
 /// Throws `Error` (input) where a text or the channels are not clear, and what reading and measuring throw.
 MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note);
 
+/// What a row of a table of pairs says beside the coefficients; empty: nothing.
+struct PairConditions {
+    std::string name{};
+    std::string temperature{};  // "23 degC"
+    std::string humidity{};     // "50 %"
+};
+
+/// Returns the measured coefficients, to four digits, as a row [[pair]] of a file pairs.toml. Throws `Error` (input) as
+/// `case_with_friction` does.
+std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions);
+
 /// The text of a case with the measured coefficients, to four digits, of all its joints or contacts; the static one is
 /// the kinetic one where none was to be seen. Throws `Error` (input) where nothing slides or they come out the wrong
 /// way round.
