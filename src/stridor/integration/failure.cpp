@@ -68,6 +68,11 @@ std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
         case Reason::step_limit:
             return beyond_step_limit(c);
         case Reason::chattering:
+            if (parameters::has_friction_state(c.contact().friction))
+                return Error(ErrorKind::numerical,
+                             {"the motion comes to no end at " + at,
+                              "where a contact creeps, its friction state changes too fast for it",
+                              "Choose another law of friction, or a faster motion."});
             return Error(ErrorKind::numerical, {"events pile up without end at " + at + last_set(c, motion),
                                                 "double precision cannot tell them apart, so the motion stops there",
                                                 "Change a parameter a little, or try run.engine = \"beta_2\"."});

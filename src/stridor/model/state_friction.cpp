@@ -88,23 +88,23 @@ double arsinh(double u) {
 }
 
 // exp((mu_0 + b psi)/a)/(2 V_0) |w| by its logarithm, and arsinh of it
-struct Argument {
+struct ArsinhArgument {
     double logarithm = -std::numeric_limits<double>::infinity();  // of u
     double value = 0.0;                                           // u, where it is not all logarithm
     bool is_all_logarithm() const { return logarithm > all_logarithm; }
 };
 
-Argument argument_of(const RateAndState& law, double speed, double state) {
+ArsinhArgument argument_of(const RateAndState& law, double speed, double state) {
     if (!(speed > 0.0)) return {};
     const double exponent = (law.coefficient + law.evolution_effect * state) / law.direct_effect;
-    Argument u;
+    ArsinhArgument u;
     u.logarithm = natural_logarithm(speed / law.velocity) - ln_2 + exponent;
     u.value = u.is_all_logarithm() ? 0.0 : base::exponential(u.logarithm);
     return u;
 }
 
 // u/sqrt(1 + u^2), by how much arsinh follows ln u
-double followed(const Argument& u) {
+double followed(const ArsinhArgument& u) {
     return u.is_all_logarithm() ? 1.0 : u.value / std::sqrt(1.0 + u.value * u.value);
 }
 
@@ -137,7 +137,7 @@ double RateAndState::state_rate(double speed, double state) const {
 }
 
 double RateAndState::state_resistance(double speed, double state) const {
-    const Argument u = argument_of(*this, speed, state);
+    const ArsinhArgument u = argument_of(*this, speed, state);
     return direct_effect * (u.is_all_logarithm() ? u.logarithm + ln_2 : arsinh(u.value));
 }
 

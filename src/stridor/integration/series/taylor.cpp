@@ -37,6 +37,10 @@ constexpr long blocks_between_projections = 8;
 constexpr std::array ended_share{1e-6, 1e-5, 1e-4, 1e-3};
 constexpr std::size_t crowd = 200;   // events
 constexpr int longest_period = 512;  // events
+// a friction state makes the motion stiff where its contact creeps: so many blocks that together are shorter than a few
+// usual ones come to no end; a million takes seconds
+constexpr long blocks_of_creep = 1L << 20;
+constexpr double least_creep = 16.0;  // blocks
 
 }  // namespace
 
@@ -307,10 +311,15 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
 }
 
 Outcome TaylorRun::go_on(const std::stop_token& stop) {
-    double entered = -1.0;  // [s] end of the span whose beginning has been looked at
+    double entered = -1.0;     // [s] end of the span whose beginning has been looked at
+    double crept_from = -1.0;  // [s] where the counted blocks began
     for (; span_ < spans().size(); ++blocks_) {
         if (blocks_ % blocks_between_checks == 0 && stop.stop_requested()) return {Reason::cancelled, time_};
         if (!is_finite(state_.q, state_.v)) return {Reason::diverged, time_};
+        if (has_friction_states() && blocks_ % blocks_of_creep == 0) {
+            if (crept_from >= 0.0 && time_ - crept_from < least_creep * step_) return {Reason::chattering, time_};
+            crept_from = time_;
+        }
         if (!block_.choose(state_.set)) return {Reason::no_forces, time_};
         surface_ = surface(time_);
         block_.expand(state_.q, state_.v, state_.friction_states, surface_);
