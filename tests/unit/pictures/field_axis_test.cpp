@@ -1,5 +1,6 @@
 #include "stridor/pictures/parts/field_axis.hpp"
 
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 #include "support/property.hpp"
@@ -95,6 +96,16 @@ TEST(Conditions, NameNoValueOfWhatFollowsAnAxis) {
     EXPECT_EQ(over.find("θ ="), std::string::npos) << over;
     EXPECT_NE(over.find("μs = 0.8"), std::string::npos) << over;
     EXPECT_TRUE(over.ends_with("; k1i, μd over θ by table")) << over;
+}
+
+TEST(Conditions, NameNoCoefficientOfAPairWhoseLoadIsAnAxis) {
+    parameters::Case c;
+    parameters::set_from_text(c, *parameters::find_field("contact.pair"),
+                              "load: 10, 40; static_friction: 1, 0.9; kinetic_friction: 0.8, 0.7");
+    const std::array<std::string_view, 1> load{"contact.preload"};
+    const std::array<std::string_view, 1> velocity{"drive.velocity"};
+    EXPECT_EQ(drawing::plain_text(conditions(c, load)).find("μs ="), std::string::npos);
+    EXPECT_NE(drawing::plain_text(conditions(c, velocity)).find("μs = 0.966"), std::string::npos);
 }
 
 TEST(FieldAxis, OfOneOfSeveralJointsSaysWhose) {
