@@ -18,7 +18,7 @@ constexpr std::string_view wiper_source =
 
 constexpr std::string_view seal_source =
     "Friction that falls with the slip velocity marks the pairs of materials that make noise:\n"
-    "N. S. Eiss, E. Lee, M. Trapp, SAE 972056 (1997). No open table has a slope for rubber on paint: 0.9 and\n"
+    "N. S. Eiss, E. Lee, M. Trapp, SAE 972056 (1997). We found no open slope of rubber on paint: 0.9 and\n"
     "1.5 s/m are estimates. Replace them by what you measured. The lip is that of `stridor init weatherstrip`;\n"
     "it trails, since a leading one locks.";
 
