@@ -114,6 +114,8 @@ export interface OwnContact {
   position?: number[];
   /** for which it has stuck at the start [s] */
   initial_rest: number;
+  /** friction state at the start: what bristles bear, or psi [1] */
+  initial_friction_state: number;
   /** How far along the line of contacts that is [m], where all are known and differ. */
   along_line?: number;
 }
