@@ -216,6 +216,7 @@ std::optional<ContactSet> settled(const model::Structure& structure, const Insta
     state.q.assign(q.data(), q.data() + q.size());
     state.v.assign(v.data(), v.data() + v.size());
     state.dropped.resize(now.before.size());
+    state.friction_states.resize(now.before.size());
     for (const std::size_t k : modal.number)
         state.set.push_back(now.before[k]);
     integration::SurfaceSeries surface{};

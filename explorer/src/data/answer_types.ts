@@ -45,6 +45,7 @@ export interface Grip {
 
 /** A law of friction over the speed of slip [m/s]: friction over normal force, each way where they differ. */
 export interface FrictionLaw {
+  schema: string;
   friction: string;
   speeds: number[];
   /** `limit`: of the stick; null of a law that creeps. One with a state is drawn as steady slip has it. */

@@ -93,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         Law{"Linear", {"contact.friction=linear", "contact.friction_slope=0.3"}},
         Law{"Stribeck", {"contact.friction=stribeck", "contact.stribeck_velocity=0.05"}},
         Law{"Viscous", {"contact.friction=stribeck", "contact.stribeck_velocity=0.05", "contact.viscous_friction=0.4"}},
-        Law{"Regularised", {"contact.friction=tanh", "contact.regularisation=0.01"}},
+        Law{"Regularised",
+            {"contact.friction=tanh", "contact.regularisation=0.01", "run.engine=moreau", "run.step=1e-5"}},
         Law{"LuGre",
             {"contact.friction=lugre", "contact.stribeck_velocity=0.05", "contact.bristle_stiffness=1e5",
              "contact.bristle_damping=0"}},
@@ -103,7 +104,9 @@ INSTANTIATE_TEST_SUITE_P(
 // whoever creeps has no stick that could hold up to anything
 TEST(FrictionAnswer, HasNoStickOfALawThatCreeps) {
     EXPECT_EQ(law_of({})["curves"][0]["limit"], 0.8);
-    EXPECT_TRUE(law_of({"contact.friction=tanh", "contact.regularisation=0.01"})["curves"][0]["limit"].is_null());
+    EXPECT_TRUE(law_of({"contact.friction=tanh", "contact.regularisation=0.01", "run.engine=moreau",
+                        "run.step=1e-5"})["curves"][0]["limit"]
+                    .is_null());
     const json aged =
         law_of({"contact.friction=dieterich", "contact.direct_effect=0.01", "contact.evolution_effect=0.015",
                 "contact.slip_length=1e-5", "contact.reference_velocity=1e-3"});

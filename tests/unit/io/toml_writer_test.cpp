@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace stridor::io {
@@ -105,13 +106,14 @@ TEST(TomlWriter, WritesThePapersCasesAndCharts) {
 
 TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
+    const std::string unfolded = std::regex_replace(text, std::regex("\n#   "), " ");
     for (const Field& field : parameters::fields())
         EXPECT_EQ(text.find("# " + std::string(field.sentence)) != std::string::npos, field.belongs(parameters::Case{}))
             << field.name;
     for (const Field& field : parameters::fields()) {
         const bool has_home =
             field.belongs(parameters::Case{}) || !parameters::home_of(parameters::Case{}, field).empty();
-        EXPECT_EQ(text.find(std::string(field.sentence)) != std::string::npos, has_home) << field.name;
+        EXPECT_EQ(unfolded.find(std::string(field.sentence)) != std::string::npos, has_home) << field.name;
     }
     EXPECT_NE(text.find("# mass of the joint (m1) [kg, above 0]\nmass = \"0.1 kg\"\n"), std::string::npos) << text;
     EXPECT_NE(text.find("# how the motion starts: \"rest\", \"stuck\", \"sliding\" or \"given\"\n"), std::string::npos)

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { lawAt, placeOf, pointsOf } from "../../../src/draw/law_points.ts";
 
 const law = {
+  schema: "stridor.explorer.friction/1",
   friction: "stribeck",
   speeds: [0, 1],
   curves: [{ way: "both directions", limit: 0.8, friction: [0.8, 0.4] }],

@@ -25,14 +25,14 @@ constexpr double room_beside = 1.3;            // [1] of the speeds visited, whe
 constexpr double law_samples = 1e4;            // [1] of the window, of which the extremes are told
 constexpr std::size_t most_rows = 60;          // of a table; more are no points for a hand
 
-enum class Along { speed, friction };
+enum class GripWay { speed, friction };
 
 // A point of the curve that a hand may move one way. What it sets is origin + rate times where it is along that way.
 struct Grip {
     std::string_view key;
     double speed = 0.0;                        // [m/s]
     double friction = 0.0;                     // [1]
-    Along along = Along::friction;             // which way it moves
+    GripWay along = GripWay::friction;         // which way it moves
     double low = 0.0, high = unlimited;        // between which it may
     double origin = 0.0, rate = 1.0;           // of what it sets
     std::string_view way = "both directions";  // whose slip it belongs to
@@ -96,7 +96,7 @@ std::vector<Grip> grips_of(const Contact& contact, double edge) {
                     {.key = "contact.stribeck_velocity",
                      .speed = v_s,
                      .friction = resistance_at(contact, v_s),
-                     .along = Along::speed,
+                     .along = GripWay::speed,
                      .low = least}};
         }
         case FrictionKind::tanh:
@@ -105,7 +105,7 @@ std::vector<Grip> grips_of(const Contact& contact, double edge) {
                     {.key = "contact.regularisation",
                      .speed = contact.regularisation,
                      .friction = resistance_at(contact, contact.regularisation),
-                     .along = Along::speed,
+                     .along = GripWay::speed,
                      .low = least}};
         case FrictionKind::dieterich:
         case FrictionKind::ruina:
@@ -122,7 +122,7 @@ Json grip_object(const Grip& grip) {
     return {{"key", grip.key},
             {"speed", grip.speed},
             {"friction", grip.friction},
-            {"along", grip.along == Along::speed ? "speed" : "friction"},
+            {"along", grip.along == GripWay::speed ? "speed" : "friction"},
             {"low", grip.low},
             {"high", grip.high},  // null where it has no end
             {"origin", grip.origin},
