@@ -20,8 +20,9 @@ const text = execFileSync(program, ["init", "string"], { encoding: "utf8" });
 const short = text.replace(/^duration = .*$/m, 'duration = "0.5 s"').replace(/^window = .*$/m, 'window = "0.4 s"');
 await writeFile(string, short + chart);
 
-const stribeck = "#preset=squeal&contact.friction=stribeck&contact.stribeck_velocity=0.05&contact.viscous_friction=0.4";
-const small = "x=contact.preload:1:80:8:linear&y=contact.stribeck_velocity:0.005:0.5:8:log";
+const stribeck =
+  "#preset=squeal&contact.friction=stribeck&contact.stribeck_velocity=0.05&contact.viscous_friction=0.4&run.duration=0.4&run.window=0.4";
+const small = "x=contact.preload:1:80:6:linear&y=contact.stribeck_velocity:0.005:0.5:6:log";
 
 for (const [name, colorScheme, tab, files, fragment] of [
   ["explorer", "light", "response", []],
@@ -34,7 +35,7 @@ for (const [name, colorScheme, tab, files, fragment] of [
   const browser = await openPage(explorer, { colorScheme });
   const { page } = browser;
   await browser.goto(fragment);
-  await page.waitForSelector('#chart[data-done="true"]', { timeout: 120000 });
+  await page.waitForSelector('#chart[data-done="true"]', { timeout: 600000 });
   await page.locator(`#tab-${tab}`).click();
   const drawn = { quiet: "#apply-change", friction: ".grip" };
   await page.waitForSelector(drawn[tab] ?? '.response[data-draws]:not([data-draws="0"])', { timeout: 60000 });
