@@ -78,9 +78,14 @@ export function withoutKeys(design: Design, keys: readonly string[]): Design {
   return { preset: design.preset, set: Object.fromEntries(kept) };
 }
 
-/** What the chart depends on: the design without the two values that its axes replace. */
-export function chartDesign(state: State): Design {
-  return withoutKeys(state.design, [state.x.parameter, state.y.parameter]);
+/**
+ * What the chart depends on: the design without the two values that its axes replace. A key that the preset does not
+ * have must be there all the same, with whichever value; that is an end of its axis.
+ */
+export function chartDesign({ design, x, y }: State, has: (key: string) => boolean): Design {
+  const lacking = [x, y].filter(({ parameter }) => parameter in design.set && !has(parameter));
+  const ends = Object.fromEntries(lacking.map(({ parameter, from }) => [parameter, String(from)]));
+  return withValues(withoutKeys(design, [x.parameter, y.parameter]), ends);
 }
 
 function axisText(axis: Axis): string {

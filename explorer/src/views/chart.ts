@@ -221,7 +221,9 @@ export class Chart implements PanelOwner {
 
   private wish_(state: State, preview: boolean): api.ChartWish {
     const chart = { x: state.x, y: state.y, refine: this.start_.chart.refine };
-    return { design: chartDesign(state), chart, preview, figure: state.figure };
+    const own = this.start_.presets.find(({ name }) => name === state.design.preset)?.case;
+    const has = (key: string): boolean => !own || valueIn(own, key) !== undefined;
+    return { design: chartDesign(state, has), chart, preview, figure: state.figure };
   }
 
   private axisTitle_(axis: Axis): string {

@@ -106,7 +106,19 @@ test("a key that is no key of a field never reaches the design", () => {
 test("the chart does not depend on the two values that its axes replace", () => {
   const set = { "contact.preload": "1", "contact.kinetic_friction": "0.2", "joint.mass": "2" };
   const state = { ...defaults, design: { preset: "squeal", set } };
-  assert.deepEqual(chartDesign(state).set, { "joint.mass": "2" });
+  assert.deepEqual(chartDesign(state, () => true).set, { "joint.mass": "2" });
+});
+
+test("a key that the preset does not have stays in the chart's design, and does not follow the cell", () => {
+  const has = (key) => key !== "contact.stribeck_velocity";
+  const y = { ...defaults.y, parameter: "contact.stribeck_velocity", from: 0.005, to: 0.5 };
+  for (const cell of ["0.01", "0.2"]) {
+    const set = { "contact.friction": "stribeck", "contact.stribeck_velocity": cell, "contact.preload": "3" };
+    assert.deepEqual(chartDesign({ ...defaults, y, design: { preset: "squeal", set } }, has).set, {
+      "contact.friction": "stribeck",
+      "contact.stribeck_velocity": "0.005",
+    });
+  }
 });
 
 test("a design as a command is what a shell takes", () => {
