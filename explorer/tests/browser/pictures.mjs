@@ -21,7 +21,8 @@ const short = text.replace(/^duration = .*$/m, 'duration = "0.5 s"').replace(/^w
 await writeFile(string, short + chart);
 
 const stribeck =
-  "#preset=squeal&contact.friction=stribeck&contact.stribeck_velocity=0.05&contact.viscous_friction=0.4&run.duration=0.4&run.window=0.4";
+  "#preset=squeal&contact.friction=stribeck&contact.stribeck_velocity=0.05&contact.viscous_friction=0.4" +
+  "&run.duration=0.4&run.window=0.4";
 const small = "x=contact.preload:1:80:6:linear&y=contact.stribeck_velocity:0.005:0.5:6:log";
 
 for (const [name, colorScheme, tab, files, fragment] of [
