@@ -13,4 +13,11 @@ inline parameters::Case constant_case(parameters::PaperCase which, double veloci
     return c;
 }
 
+/// The squeal column at 0.1 m/s for 20 ms, of which the second half is looked at.
+inline parameters::Case short_case() {
+    parameters::Case c = constant_case(parameters::PaperCase::squeal, 0.1, 0.02);
+    c.run.window = 0.01;
+    return c;
+}
+
 }  // namespace stridor::support

@@ -1,6 +1,7 @@
 #include "stridor/integration/run/end_state.hpp"
 
 #include "stridor/integration/simulate.hpp"
+#include "support/constant_case.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
@@ -11,16 +12,8 @@ namespace stridor::integration {
 namespace {
 
 using parameters::Case;
+using support::short_case;
 using support::thrown_by;
-
-Case short_case() {
-    Case c;
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = 0.1;
-    c.run.duration = 0.02;
-    c.run.window = 0.01;
-    return c;
-}
 
 TEST(EndState, IsRefusedByAnotherStructure) {
     EndState state = run_to_end(short_case()).state;

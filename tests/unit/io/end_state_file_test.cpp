@@ -5,6 +5,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "support/constant_case.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
@@ -16,16 +17,8 @@ namespace stridor::io {
 namespace {
 
 using parameters::Case;
+using support::short_case;
 using support::thrown_by;
-
-Case short_case() {
-    Case c;
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = 0.1;
-    c.run.duration = 0.02;
-    c.run.window = 0.01;
-    return c;
-}
 
 const std::string& document() {
     static const std::string text = end_state_json(short_case(), integration::run_to_end(short_case()).state);
