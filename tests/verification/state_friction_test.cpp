@@ -8,7 +8,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/case_structure.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "stridor/record/trace.hpp"
 #include "support/many_contacts.hpp"
 

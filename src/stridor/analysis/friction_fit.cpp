@@ -3,7 +3,7 @@
 #include "stridor/analysis/friction_regression.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/friction/rest.hpp"
 #include "stridor/model/impact.hpp"
-#include "stridor/model/rest.hpp"
 
 #include <Eigen/Core>
 

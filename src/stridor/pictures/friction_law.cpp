@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"

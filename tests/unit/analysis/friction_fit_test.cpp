@@ -3,7 +3,7 @@
 
 #include "stridor/analysis/friction_fit.hpp"
 
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"
 

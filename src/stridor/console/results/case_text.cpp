@@ -8,7 +8,7 @@
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"

@@ -1,5 +1,5 @@
 #include "stridor/explorer/answers/answers.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/pictures/friction_law.hpp"

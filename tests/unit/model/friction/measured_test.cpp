@@ -1,4 +1,4 @@
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

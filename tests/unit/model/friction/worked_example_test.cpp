@@ -42,8 +42,8 @@ TEST(WorkedExample, OfAFrictionLawIsTheCodeThatIsCompiled) {
     const std::size_t from = page.find("## A friction law"), to = page.find("## A law of impacts");
     ASSERT_LT(from, to);
     std::string code;
-    for (const char* file :
-         {"model/friction.hpp", "model/friction.cpp", "parameters/case.hpp", "parameters/fields/field.cpp"})
+    for (const char* file : {"model/friction/friction.hpp", "model/friction/friction.cpp", "parameters/case.hpp",
+                             "parameters/fields/field.cpp"})
         code += unindented(text_of(std::string("src/stridor/") + file));
     const std::vector<std::string> blocks = blocks_of(page.substr(from, to - from));
     EXPECT_EQ(blocks.size(), 4U);

@@ -1,4 +1,4 @@
-#include "stridor/model/rest.hpp"
+#include "stridor/model/friction/rest.hpp"
 
 #include "stridor/base/elementary.hpp"
 

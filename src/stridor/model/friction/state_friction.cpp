@@ -1,7 +1,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/model/friction.hpp"
+#include "stridor/model/friction/friction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "stridor/model/friction_jet.hpp"
+#include "stridor/model/friction/friction_jet.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
