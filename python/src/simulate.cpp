@@ -10,12 +10,16 @@
 #include "stridor/io/simulation/followed_motion.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
+#include "stridor/io/simulation/stroke_texts.hpp"
 #include "stridor/record/trace.hpp"
 #include "stridor/sweep/following.hpp"
+#include "stridor/sweep/strokes.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +79,16 @@ std::string follow(const CaseHandle& c, const std::string& over) {
     return unlocked([&](const std::stop_token& stop) {
         return io::following_json(sweep::follow(*c.of, io::read_scan_range(over), {.stop = stop}));
     });
+}
+
+std::string strokes(const CaseHandle& c, std::int64_t count, double duration, double pause,
+                    const std::optional<std::array<double, 2>>& heating,
+                    const std::optional<std::array<double, 3>>& wear) {
+    sweep::StrokePlan plan{count, duration, pause, {}, {}};
+    if (heating) plan.heating = sweep::Heating{(*heating)[0], (*heating)[1]};
+    if (wear) plan.wear = sweep::Wear{(*wear)[0], (*wear)[1], (*wear)[2]};
+    return unlocked(
+        [&](const std::stop_token& stop) { return io::strokes_json(sweep::run_strokes(*c.of, plan, {.stop = stop})); });
 }
 
 py::dict python_phase(const Verdict& verdict) {
@@ -189,6 +203,13 @@ void bind_simulation(py::module_& module) {
     module.def(
         "follow", [](const CaseHandle& c, const std::string& over) { return python_text(follow(c, over)); },
         py::arg("case"), py::arg("over"));
+    module.def(
+        "strokes",
+        [](const CaseHandle& c, std::int64_t count, double duration, double pause,
+           const std::optional<std::array<double, 2>>& heating, const std::optional<std::array<double, 3>>& wear) {
+            return python_text(strokes(c, count, duration, pause, heating, wear));
+        },
+        py::arg("case"), py::arg("count"), py::arg("duration"), py::arg("pause"), py::arg("heating"), py::arg("wear"));
     module.def("trace", &trace, py::arg("case"), py::arg("start"), py::arg("stop"), py::arg("interval"));
     module.def("history", &history, py::arg("case"));
     module.def("origin", &origin, py::arg("case"), py::arg("schema"));

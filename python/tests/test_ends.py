@@ -43,3 +43,15 @@ def test_follows_up_and_down():
     assert [run["way"] for run in following.runs] == ["up", "up", "up", "down", "down"]
     assert list(following.hysteresis) == ["coming"]
     assert following.to_dict()["over"]["parameter"] == following.key == "contact.kinetic_friction"
+
+
+def test_strokes_wear_the_preload_down():
+    case = stridor.case("squeak")
+    case.set({"drive.kind": "constant", "drive.velocity": -0.1})
+    history = stridor.strokes(case, 50, 1.0, pause=0.5, wear=(1e-12, 1e-6, 1e-3))
+    shares = [stroke["preload_share"] for stroke in history.strokes]
+    assert shares[0] == 1.0 and shares == sorted(shares, reverse=True)
+    assert history.strokes[-1]["number"] == 50 and history.ended is None
+    assert history.stretches["coming"][0]["verdict"] == history.strokes[0]["coming"]["verdict"]
+    with pytest.raises(stridor.InputError, match="neither heating nor wear"):
+        stridor.strokes(case, 50, 1.0)

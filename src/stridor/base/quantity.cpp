@@ -40,6 +40,7 @@ constexpr std::array symbols{
     Symbol{"Nm", {{1, 2, -2, 0}, 1.0}, true},
     Symbol{"Pa", {{1, -1, -2, 0}, 1.0}, true},
     Symbol{"J", {{1, 2, -2, 0}, 1.0}, true},
+    Symbol{"W", {{1, 2, -3, 0}, 1.0}, true},
     Symbol{"Hz", {{0, 0, -1, 0}, 1.0}, true},
     Symbol{"rpm", {{0, 0, -1, 0}, 1.0 / 60.0}, false},
     Symbol{"A", {{0, 0, 0, 0, 1}, 1.0}, true},
@@ -55,6 +56,7 @@ constexpr std::array symbols{
     Symbol{"ft", {{0, 1, 0, 0}, 0.3048}, false},
     Symbol{"degC", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
     Symbol{"°C", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
+    Symbol{"K", {{0, 0, 0, 0, 0, 1}, 1.0}, false},  // of a rise: by itself it is none (`try_unit`)
 };
 
 constexpr std::array prefixes{
@@ -83,6 +85,7 @@ constexpr std::array names{
     Name{{0, 0, -1, 0}, "a frequency (Hz)"},
     Name{{1, -1, -2, 0}, "a pressure (Pa)"},
     Name{{1, 2, -2, 0}, "an energy (J)"},
+    Name{{1, 2, -3, 0}, "a power (W)"},
     Name{{0, 0, 0, 0, 1}, "a current (A)"},
     Name{{1, 2, -3, 0, -1}, "a voltage (V)"},
     Name{{0, 0, 0, 0, 0, 1}, "a temperature (degC)"},
@@ -144,7 +147,8 @@ Unit product(const Unit& a, const Unit& b, int sign) {
 
 ConversionAttempt try_unit(std::string_view text) {
     text = trimmed(text);
-    if (text.empty()) return {{}, text};
+    // 300 K are not 300 degC
+    if (text.empty() || text == "K") return {{}, text};
     Unit unit;
     int sign = 1;
     while (true) {
@@ -252,9 +256,8 @@ Error bad_unit(std::string_view text, std::string_view unknown, std::string_view
     const std::optional<Unit> unit = wanted.empty() ? std::nullopt : try_unit(wanted).unit;
     const std::string near = similar_unit(text, unknown, unit ? &unit->dimension : nullptr);
     const std::string known =
-        "Known: m, g, t, s, min, h, N, daN, lbf, kgf, Pa, bar, psi, J, Hz, rpm, A, V, in, ft, deg, rad, degC, %, with "
-        "G M k "
-        "c m u n.";
+        "Known: m, g, t, s, min, h, N, daN, lbf, kgf, Pa, bar, psi, J, W, Hz, rpm, A, V, in, ft, deg, rad, degC, %, "
+        "with G M k c m u n.";
     const bool is_plain = wanted.empty() || wanted == "1";
     std::string help = !near.empty() ? "Did you mean \"" + near + "\"?"
                        : is_plain    ? known

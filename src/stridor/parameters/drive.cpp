@@ -118,6 +118,11 @@ Direction steady_direction(const Drive& drive) {
     return drive.velocity > 0.0 ? Direction::going : Direction::coming;
 }
 
+std::vector<Direction> judged_directions(const Drive& drive) {
+    if (has_one_phase(drive)) return {steady_direction(drive)};
+    return {Direction::going, Direction::coming};
+}
+
 double greatest_speed(const Drive& drive) {
     if (is_of_file(drive)) return std::numeric_limits<double>::quiet_NaN();
     const VelocityProfile profile = velocity_profile(drive);

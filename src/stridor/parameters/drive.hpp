@@ -75,6 +75,9 @@ bool is_of_file(const Drive& drive);
 /// Which way a steady drive moves the plate: the sign of its velocity.
 Direction steady_direction(const Drive& drive);
 
+/// Returns the directions in which its runs are judged: that of a drive with one phase; else going and coming.
+std::vector<Direction> judged_directions(const Drive& drive);
+
 /// The largest |V| [m/s] that the fields of a drive say; not a number for one of a file.
 double greatest_speed(const Drive& drive);
 

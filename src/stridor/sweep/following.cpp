@@ -55,11 +55,6 @@ std::vector<std::pair<FollowedWay, double>> values_of(const analysis::ScanRange&
     return values;
 }
 
-std::vector<Direction> directions_of(const Case& c) {
-    if (parameters::is_steady(c.drive)) return {parameters::steady_direction(c.drive)};
-    return {Direction::going, Direction::coming};
-}
-
 // the state at the end; nothing for a run without a result
 std::optional<EndState> end_of(const Case& c, const std::stop_token& stop) {
     try {
@@ -79,7 +74,7 @@ std::optional<EndState> end_of(const Case& c, const std::stop_token& stop) {
 
 Following follow(const Case& base, const analysis::ScanRange& over, const FollowingOptions& options) {
     expect_followable(base, over);
-    Following following{base, over, directions_of(base), {}};
+    Following following{base, over, parameters::judged_directions(base.drive), {}};
     const std::vector<std::pair<FollowedWay, double>> values = values_of(over);
     integration::Workspace workspace;
     Case last = base;               // whose run ended in `state`

@@ -16,11 +16,13 @@
 #include "stridor/pictures/side_by_side.hpp"
 #include "stridor/pictures/sound.hpp"
 #include "stridor/pictures/stability.hpp"
+#include "stridor/pictures/strokes.hpp"
 #include "stridor/pictures/time_history.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -188,6 +190,21 @@ drawing::Scene heard() {
     return sound(analysis, {});
 }
 
+// strokes between which next to nothing changes, both ways
+drawing::Scene hardly_worn() {
+    sweep::StrokeHistory history{
+        extreme(), {1'000'000'000, 1.0, 0.0, sweep::Heating{1.0, 1.0}, sweep::Wear{}}, {}, {}, ""};
+    history.directions = {parameters::Direction::going, parameters::Direction::coming};
+    for (const std::int64_t number : {1, 1'000'000'000}) {
+        sweep::Cell cell;
+        cell.status = sweep::Status::done;
+        cell.category = number == 1 ? classification::Category::none : classification::Category::squeal;
+        const double worn = number == 1 ? 0.0 : 1e-9;
+        history.strokes.push_back({number, 23.0 + worn, worn, 1.0 - worn, 1e-9, {cell, cell}});
+    }
+    return strokes(history);
+}
+
 // every picture, with names that are too long and numbers that are very large or small
 std::vector<NamedScene> hard_pictures() {
     const parameters::Case c = extreme();
@@ -218,6 +235,7 @@ std::vector<NamedScene> hard_pictures() {
         {"side by side", side_by_side(std::vector(3, compared()))},
         {"sound", heard()},
         {"stability", stability(close_onsets("contact.kinetic_friction", "1", 0.5))},
+        {"strokes", hardly_worn()},
         {"stability over a preload", stability(close_onsets("contact.preload", "N", 123456.0))}};
 }
 
