@@ -40,9 +40,9 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 ///
 ///     T_m = ratio_0 N_m + sum_{j=1..m} ratio_j N_{m-j}
 ///
-/// ratio_m follows from w_0..w_m (model/friction/friction_jet), w_m from accelerations before m: so the sum is known when
-/// N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series then ends
-/// where that of the ratio does: the block is shortened until its last terms are rounding.
+/// ratio_m follows from w_0..w_m (model/friction/friction_jet), w_m from accelerations before m: so the sum is known
+/// when N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series
+/// then ends where that of the ratio does: the block is shortened until its last terms are rounding.
 ///
 /// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.
 class TaylorBlock {
