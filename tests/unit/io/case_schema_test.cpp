@@ -69,7 +69,12 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     EXPECT_TRUE(lists(of_each["required"], "axial_stiffness"));
     EXPECT_TRUE(lists(of_each["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_FALSE(lists(schema["required"], "temperature"));
-    EXPECT_EQ(schema["properties"]["temperature"]["required"], Json::array({"value", "at"}));
+    // a pair of materials may be known over the temperature, without a table in the case
+    EXPECT_EQ(schema["properties"]["temperature"]["required"], Json::array({"value"}));
+    const Json& without_pair = schema["allOf"].back();
+    EXPECT_EQ(without_pair["if"]["not"]["anyOf"][0]["properties"]["contact"]["required"], Json::array({"pair"}));
+    EXPECT_EQ(without_pair["if"]["not"]["anyOf"][1]["properties"]["joint"]["type"], "array");
+    EXPECT_EQ(without_pair["then"]["properties"]["temperature"]["required"], Json::array({"at"}));
     for (const char* name : {"at", "axial_stiffness", "k1i", "joint"})
         EXPECT_TRUE(schema["properties"]["temperature"]["properties"].contains(name)) << name;
     // of several joints each may have lists below its name

@@ -97,7 +97,7 @@ Json list_schema(const std::string& about) {
 
 // the lists beside temperature.value, under every name that means one property
 void add_temperature_lists(Json& section) {
-    section["required"] = {"value", "at"};
+    section["required"] = {"value"};
     Json& properties = section["properties"];
     properties["at"] = list_schema("temperatures at which the lists below have their values, rising; degC");
     for (const std::string_view key : parameters::keys_over_temperature()) {
@@ -119,6 +119,16 @@ void add_temperature_lists(Json& section) {
             named["properties"][std::string(name)] = properties[std::string(name)];
     }
     properties["joint"]["additionalProperties"] = std::move(named);
+}
+
+// without a pair of materials, that knows temperatures of its own, lists belong to a temperature
+Json lists_without_pair() {
+    const Json pair{{"required", Json::array({"contact"})},
+                    {"properties", {{"contact", {{"required", Json::array({"pair"})}}}}}};
+    const Json of_a_joint{{"required", Json::array({"joint"})},
+                          {"properties", {{"joint", {{"type", "array"}, {"contains", pair}}}}}};
+    return {{"if", {{"not", {{"anyOf", {pair, of_a_joint}}}}}},
+            {"then", {{"properties", {{"temperature", {{"required", Json::array({"at"})}}}}}}}};
 }
 
 bool may_follow_temperature(const parameters::Field& field) {
@@ -278,6 +288,7 @@ std::string json_schema() {
         properties["document"]["properties"][key] = {{"type", "string"}};
     allow_several_joints(document);
     allow_own_structure(document);
+    document["allOf"].push_back(lists_without_pair());
     // last: they move what stands before
     document["if"] = {{"not",
                        {{"anyOf",
