@@ -1,14 +1,17 @@
 #include "stridor/pictures/friction_law.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/friction/friction.hpp"
+#include "stridor/model/friction/rest.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -19,7 +22,8 @@ namespace stridor::pictures {
 
 namespace {
 
-constexpr std::size_t curve_points = 241;  // of a law that changes with the slip velocity
+constexpr std::size_t curve_points = 241;           // of a law that changes with the slip velocity
+constexpr std::array rest_times{1.0, 10.0, 100.0};  // [1] of t_0, for which it has stuck
 
 // of one way to slip, as drawn: V_rel > 0 is a plate that goes
 struct LawBranch {
@@ -82,6 +86,33 @@ void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
                                             drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
 }
 
+// what times of rest add to the limit of the stick; nothing where rest changes nothing
+void add_rest(drawing::Panel& panel, const model::RestGrowth& rest, double going_limit, double coming_limit) {
+    if (!grows(rest)) return;
+    const drawing::Colour colour = state_colour(model::ContactState::stick);
+    for (const double sign : {1.0, -1.0}) {
+        const double limit = sign > 0.0 ? going_limit : coming_limit;
+        drawing::Line line{{0.0}, {sign * limit}, {colour, 1.2, drawing::Dash::dotted}};
+        drawing::Points points;
+        points.colour = colour;
+        points.diameter = 2.6;
+        for (const double times : rest_times) {
+            points.x.push_back(0.0);
+            points.y.push_back(sign * (limit + grown(rest, times * rest.time)));
+        }
+        line.x.push_back(0.0);
+        line.y.push_back(points.y.back());
+        panel.layers.emplace_back(std::move(line));
+        panel.layers.emplace_back(std::move(points));
+    }
+    std::string times;
+    for (const double each : rest_times)
+        times += (times.empty() ? "" : ", ") + base::shortest(each * rest.time);
+    panel.layers.emplace_back(drawing::Note{"rest of " + times + " s", 0.04 * panel.x.range.to,
+                                            going_limit + grown(rest, rest_times.back() * rest.time),
+                                            drawing::Anchor::data, drawing::Align::left, colour, 0.0, std::nullopt});
+}
+
 // contacts of an own structure may have coefficients of their own
 parameters::Contact one_law_of_contacts(const parameters::Case& c) {
     const parameters::Contact first = parameters::contact_of(c, 0);
@@ -134,6 +165,8 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
     double most = std::max(going.limit, coming.limit);
     for (const LawBranch* each : {&going, &coming})
         most = std::max(most, *std::max_element(each->sliding.begin(), each->sliding.end()));
+    const model::RestGrowth rest = model::rest_growth(contact);
+    if (grows(rest)) most += grown(rest, rest_times.back() * rest.time);
     const double top = most > 0.0 ? 1.3 * most : 1.0;
     drawing::Panel panel;
     panel.grid = drawing::Grid::none;
@@ -169,6 +202,7 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
                                             {-coming.limit, going.limit},
                                             {state_colour(model::ContactState::stick), 1.6, drawing::Dash::solid}});
     add_branch(panel, going, top);
+    add_rest(panel, rest, going.limit, coming.limit);
     // a curve that falls may lie where a level one leaves room
     const double beside = is_state_wise(law) ? 0.5 * going.sliding.front() : -0.5 * going.limit;
     if (sticks)

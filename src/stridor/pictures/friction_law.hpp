@@ -25,7 +25,8 @@ parameters::Contact one_law(const parameters::Case& c);
 
 /// Draws the friction law of a contact: friction over normal force, over the relative velocity of the plate (Elmaian et
 /// al. 2012, Figure 3). A stick takes any ratio up to the static coefficient; a slip has the law's ratio at its
-/// velocity. The relative velocities [m/s] that a motion visited are shaded, and within the picture.
+/// velocity. Where static friction grows with rest, its limit after t_0, 10 t_0 and 100 t_0 is dotted. The relative
+/// velocities [m/s] that a motion visited are shaded, and within the picture.
 drawing::Scene friction_law(const parameters::Contact& contact, std::optional<drawing::Extent> visited = {});
 
 /// Draws the one law of all contacts of a case. Throws `Error` (input) if they differ.

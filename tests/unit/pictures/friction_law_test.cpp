@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stridor::pictures {
 namespace {
@@ -43,6 +44,22 @@ TEST(FrictionLaw, HasTwoSidesWhereItDiffersEachWay) {
     EXPECT_TRUE(
         std::any_of(scene.panels.at(0).y.ticks.begin(), scene.panels.at(0).y.ticks.end(),
                     [](const drawing::Tick& tick) { return drawing::plain_text(tick.label) == "−μsc = −0.4"; }));
+}
+
+TEST(FrictionLaw, ShowsHowItsLimitGrowsWithRest) {
+    parameters::Contact contact;
+    contact.rest = parameters::RestKind::logarithmic;
+    contact.rest_growth = 0.02;
+    contact.rest_time = 0.5;
+    const drawing::Scene scene = friction_law(contact);
+    const std::vector<drawing::Points> points = layers_of<drawing::Points>(scene.panels.at(0));
+    ASSERT_EQ(points.size(), 2U);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double limit = 0.8 + 0.02 * std::log(1.0 + std::pow(10.0, static_cast<double>(k)));
+        EXPECT_NEAR(points[0].y[k], limit, 1e-15);
+        EXPECT_NEAR(points[1].y[k], -limit, 1e-15);
+    }
+    EXPECT_GT(scene.panels.at(0).y.range.to, points[0].y.back());
 }
 
 TEST(FrictionLaw, NamesBothCoefficients) {

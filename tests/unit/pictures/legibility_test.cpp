@@ -214,6 +214,9 @@ std::vector<NamedScene> hard_pictures() {
     tight.kinetic_friction = 0.6;
     tight.static_friction_coming = 0.6002;
     tight.kinetic_friction_coming = 0.5999;
+    parameters::Contact resting;
+    resting.rest = parameters::RestKind::kato;
+    resting.rest_growth = 1e-4;
     return {
         {"contact states", contact_states(std::vector<StatesOfCase>{{long_name, c, {each_state_once}}}, {0.0, 1.0})},
         {"contact states of four",
@@ -224,6 +227,7 @@ std::vector<NamedScene> hard_pictures() {
         {"2 contacts", contacts(2)},
         {"friction law", friction_law(c.contact())},
         {"tight friction law", friction_law(tight)},
+        {"friction law that hardly grows with rest", friction_law(resting)},
         {"mode shapes", modes()},
         {"modal spectrum", spectrum()},
         {"noise chart", marked(noise_chart(chart(false)), chart(false).study)},
