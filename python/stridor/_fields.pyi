@@ -140,6 +140,7 @@ class Verdict(Section):
     lock_force: Quantity
     least_distance: Quantity
     creeping: Word
+    creep_speed: Quantity
     def __getitem__(self, name: str) -> Verdict: ...
 
 class Figures:

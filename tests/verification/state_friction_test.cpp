@@ -293,6 +293,104 @@ TEST(StateFriction, IsRefusedByNameByOtherEngines) {
     EXPECT_ANY_THROW(support::run_moreau(structure, 0.1, Initial::stuck, 1e-5));
 }
 
+// below 0.2 V a slip counts as a stick: what is told changes at that speed, and the motion not at all
+TEST(CreepSpeed, DividesTheMotionWhereTheSpeedPassesIt) {
+    for (const BristlesOnBelt& given : bristles_on_belts()) {
+        const double speed = 0.2 * given.V;
+        model::Structure structure = belt_of(given.belt, given.law);
+        structure.contacts[0].creep_speed = speed;
+        const Motion motion =
+            sampled(structure, given.V, integration::initial_state(structure, {Initial::stuck, 0.0}, given.V),
+                    given.duration, given.duration / 200.0);
+        const record::Trace &trace = motion.record.trace, &usual = moved(given).record.trace;
+        const record::ContactHistory& history = motion.record.histories.front();
+        ASSERT_GT(history.size(), 1U) << given.name;
+        for (std::size_t k = 1; k < history.size(); ++k) {
+            EXPECT_NE(history[k].state, history[k - 1].state) << given.name;
+            EXPECT_NEAR(std::abs(history[k].slip_velocity), speed, 1e-12 * given.V) << given.name;
+        }
+        std::size_t stay = 0;
+        for (std::size_t k = 0; k < trace.time.size(); ++k) {
+            EXPECT_NEAR(trace.displacement[0][k], usual.displacement[0][k], 1e-9) << given.name;
+            while (stay + 1 < history.size() && history[stay + 1].from <= trace.time[k])
+                ++stay;
+            const double slip = std::abs(trace.velocity[0][k] - given.V);
+            if (std::abs(slip - speed) < 1e-9 * given.V) continue;
+            EXPECT_EQ(history[stay].state == model::ContactState::stick, slip < speed) << given.name << trace.time[k];
+        }
+    }
+}
+
+// a mass that the belt drags along and that jumps back
+parameters::Case stick_slip(parameters::FrictionKind friction) {
+    parameters::Case c;
+    c.joint().mass = 0.1;
+    c.joint().incidence_angle = 0.0;
+    c.joint().axial_stiffness = 1e5;
+    c.joint().axial_damping = 4.0;
+    c.contact().preload = 10.0;
+    c.contact().friction = friction;
+    c.contact().static_friction = 0.8;
+    c.contact().kinetic_friction = 0.4;
+    c.contact().stribeck_velocity = 1e-3;
+    c.contact().bristle_stiffness = 3e7;
+    c.verdict.creep_speed = 1e-3;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = 0.005;
+    c.run.duration = 0.4;
+    c.run.window = 0.3;
+    return c;
+}
+
+classification::Verdict verdict_of(const parameters::Case& c) {
+    return classification::classify_phase(integration::simulate(c).record.phases.front(), c.verdict);
+}
+
+TEST(CreepSpeed, GivesTheVerdictOfCoulombsStickSlip) {
+    const classification::Verdict coulomb = verdict_of(stick_slip(parameters::FrictionKind::coulomb));
+    const classification::Verdict bristled = verdict_of(stick_slip(parameters::FrictionKind::lugre));
+    ASSERT_EQ(coulomb.category, classification::Category::creak);
+    EXPECT_EQ(bristled.category, coulomb.category);
+    EXPECT_NEAR(bristled.evidence.judged_rates.stick, coulomb.evidence.judged_rates.stick, 0.02);
+}
+
+TEST(CreepSpeed, CallsASteadySlideQuietWhereItLasts) {
+    parameters::Case c = stick_slip(parameters::FrictionKind::lugre);
+    c.drive.velocity = 0.5;
+    c.run.initial = Initial::sliding;
+    EXPECT_EQ(verdict_of(c).category, classification::Category::none);
+    // friction that falls with speed outweighs the dashpot: it grows, too slowly to be heard in this run
+    c.contact().stribeck_velocity = 0.5;
+    c.joint().axial_damping = 2.0;
+    c.run.perturbation = 1e-9;
+    c.run.duration = c.run.window = 0.02;
+    const classification::Verdict growing = verdict_of(c);
+    EXPECT_EQ(growing.category, classification::Category::undecided);
+    EXPECT_NE(growing.reasons.back().find("grows"), std::string::npos) << growing.reasons.back();
+}
+
+TEST(CreepSpeed, DoesNotCallCreepQuiet) {
+    parameters::Case c = stick_slip(parameters::FrictionKind::lugre);
+    c.drive.velocity = 1e-4;
+    const classification::Verdict verdict = verdict_of(c);
+    EXPECT_EQ(verdict.category, classification::Category::undecided);
+    EXPECT_NE(verdict.reasons.back().find("creeps in all"), std::string::npos) << verdict.reasons.back();
+}
+
+TEST(CreepSpeed, GoesOnFromItsEndBitForBit) {
+    parameters::Case c = stick_slip(parameters::FrictionKind::lugre);
+    c.run.duration = c.run.window = 0.05;
+    const integration::EndState end = integration::run_to_end(c).state;
+    parameters::Case whole = c;
+    whole.run.duration = 0.1;
+    const record::Request request{record::KeepHistory::yes, {}};
+    const auto told = integration::simulate(whole, request).record.histories.front();
+    const auto later = integration::go_on(whole, end, request).record.histories.front();
+    ASSERT_GT(later.size(), 4U);
+    for (std::size_t k = 1; k <= 4; ++k)
+        EXPECT_EQ(later[later.size() - k].from, told[told.size() - k].from);
+}
+
 // J. R. Rice and A. Ruina 1983: (b - a) N/D_c (1 + m V²/(a N D_c))
 struct RateAndStateBlock {
     double a, b, length, preload, V;

@@ -146,6 +146,19 @@ std::optional<Decision> settled(const analysis::Evidence& evidence, const parame
     return std::nullopt;
 }
 
+// a contact whose friction has a state, of which nothing is proven
+std::optional<Decision> creeping(const analysis::Evidence& evidence) {
+    if (evidence.ending.outlook.future != Future::creeps) return std::nullopt;
+    if (!(evidence.rates.stick > 0.0))
+        return Decision{Category::undecided, Quiet::no,
+                        "its friction has a state: it creeps where others stick, so contact states tell no noise; "
+                        "verdict.creep_speed says below which slip velocity it counts as stuck"};
+    if (evidence.judged_rates.stick >= 1.0)
+        return Decision{Category::undecided, Quiet::no,
+                        "creeps in all of the judged time, and nothing is proven of that: simulate longer"};
+    return std::nullopt;
+}
+
 // a contact that sticks in all of the judged time
 Decision stuck(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
     const record::Outlook& outlook = evidence.ending.outlook;
@@ -290,9 +303,7 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
         return decide({Category::undecided, Quiet::no,
                        "its friction is regularised: it creeps where it should stick, so its states say nothing of a "
                        "rubbing contact; verdict.creeping = \"judged\" judges them all the same"});
-    if (evidence.ending.outlook.future == Future::creeps)
-        return decide({Category::undecided, Quiet::no,
-                       "its friction has a state: it creeps where others stick, so contact states tell no noise"});
+    if (const std::optional<Decision> creep = creeping(evidence)) return decide(*creep);
     if (const std::optional<Decision> over = settled(evidence, thresholds)) return decide(*over);
     const bool grows = !std::isnan(evidence.ending.outlook.growth);
     if (grows && rates.slip >= 1.0) return decide(growing(evidence.ending.outlook));

@@ -70,10 +70,7 @@ void press_by_load(Structure& structure, const OwnStructure& own) {
     }
 }
 
-}  // namespace
-
-Structure structure_of(const parameters::Case& c) {
-    if (!c.own_structure) return rubbing_system(c);
+Structure structure_of_own(const parameters::Case& c) {
     const OwnStructure& own = *c.own_structure;
     const auto rows = static_cast<Index>(own.row.size());
     const auto count = static_cast<Index>(own.contacts.size());
@@ -110,6 +107,15 @@ Structure structure_of(const parameters::Case& c) {
         press_by_preload(structure, c);
     else
         press_by_load(structure, own);
+    return structure;
+}
+
+}  // namespace
+
+Structure structure_of(const parameters::Case& c) {
+    Structure structure = c.own_structure ? structure_of_own(c) : rubbing_system(c);
+    for (ContactPoint& contact : structure.contacts)
+        contact.creep_speed = c.verdict.creep_speed;
     return structure;
 }
 

@@ -26,6 +26,7 @@ struct ContactPoint {
     int interface = -1;               // contacts of one number are one interface, judged as a whole; below 0: alone
     double preload = 0.0;             // [N] N at rest, the reference of its growth; 0: not known, or open there
     RestGrowth rest{};                // of its static friction
+    double creep_speed = 0.0;         // [m/s] of a law with a state: below it a slip counts as a stick; 0: never
 };
 
 /// A linear structure with unilateral frictional contacts, what every engine sees:

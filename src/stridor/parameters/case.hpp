@@ -243,6 +243,7 @@ struct Thresholds {
     double lock_force = 10.0;         // [1] multiple of its preload from which a stuck contact locks
     double least_distance = 2.0;  // [1] errors of a figure; one that lies nearer to its threshold makes it `undecided`
     Creeping creeping = Creeping::undecided;
+    double creep_speed = 0.0;  // [m/s] of a law with a state: a slip below it counts as a stick; 0: none does
 };
 
 /// A joint on the plate and its contact.

@@ -37,6 +37,7 @@ ModalContact modal_contact(const model::ContactPoint& contact, const Eigen::Matr
     result.drive_share = contact.drive_share;
     result.friction = contact.friction;
     result.rest = contact.rest;
+    if (has_friction_state(contact.friction)) result.creep_speed = contact.creep_speed;
     return result;
 }
 

@@ -20,6 +20,7 @@ struct ModalContact {
     std::vector<double> second_tangent{};  // [1/√kg] shape [mode]; empty: slip has one direction
     double second_drive_share = 0.0;       // [1] of V(t) along it
     model::RestGrowth rest{};              // of its static friction
+    double creep_speed = 0.0;              // [m/s] below which a slip counts as a stick; 0: never
 };
 
 /// Where normals and tangents of contacts stand in one list of rows: n0, t0, n1, t1, ...; a second tangent stands

@@ -35,7 +35,7 @@ double slip_share_of(const record::ContactTally& contact) {
 
 bool is_asked(const record::ContactTally& contact, double least_slip) {
     const Future future = contact.ending.outlook.future;
-    const bool is_known = future == Future::slides || future == Future::sticks || future == Future::creeps;
+    const bool is_known = future == Future::slides || future == Future::sticks;
     return !is_known && slip_share_of(contact) >= least_slip;
 }
 

@@ -16,4 +16,9 @@ constexpr bool is_slip(ContactMode mode) {
     return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
 }
 
+/// The sign of the slip velocity of a contact that slips [1].
+constexpr double sign_of(ContactMode slip) {
+    return slip == ContactMode::slip_forward ? 1.0 : -1.0;
+}
+
 }  // namespace stridor::integration

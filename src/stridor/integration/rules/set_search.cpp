@@ -27,7 +27,7 @@ ContactViolation violation(const ModalContact& law, const TriedContact& contact,
         const double limit = limit_of(law.friction, way, contact.limit, contact.grown);
         look(std::abs(contact.tangential) - limit * contact.normal, scale.push, slip_mode(way));
     } else {
-        const double sign = contact.mode == ContactMode::slip_forward ? 1.0 : -1.0;
+        const double sign = sign_of(contact.mode);
         look(-sign * contact.slip_velocity, scale.speed, ContactMode::stick);
     }
     return worst;

@@ -16,11 +16,6 @@ namespace stridor::integration {
 namespace {
 
 constexpr int most_rounds = 64;  // of impacts and forces in one event
-constexpr double forward_sign = 1.0;
-
-double sign_of(ContactMode mode) {
-    return mode == ContactMode::slip_forward ? forward_sign : -forward_sign;
-}
 
 // what moves and is stretched, less the load's potential: closing a gap by force changes all of it
 double free_energy(const ModalStructure& structure, const TaylorState& state) {

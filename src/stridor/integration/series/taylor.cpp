@@ -40,7 +40,8 @@ constexpr int longest_period = 512;  // events
 // a friction state makes the motion stiff where its contact creeps: so many blocks that together are shorter than a few
 // usual ones come to no end; a million takes seconds
 constexpr long blocks_of_creep = 1L << 20;
-constexpr double least_creep = 16.0;  // blocks
+constexpr double least_creep = 16.0;        // blocks
+constexpr double least_creep_share = 1e-6;  // of a block, between two changes of what is told of a contact that creeps
 
 }  // namespace
 
@@ -94,6 +95,11 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
 bool TaylorRun::has_friction_states() const {
     return std::any_of(structure_.contacts.begin(), structure_.contacts.end(),
                        [](const ModalContact& contact) { return has_friction_state(contact.friction); });
+}
+
+bool TaylorRun::counts_creep() const {
+    return std::any_of(structure_.contacts.begin(), structure_.contacts.end(),
+                       [](const ModalContact& contact) { return contact.creep_speed > 0.0; });
 }
 
 SurfaceSeries TaylorRun::surface(double time) const {
@@ -185,8 +191,29 @@ TaylorRun::Firing TaylorRun::first_firing(double reach) {
             if (theta == no_polynomial) return {0.0, k, f, true};
             if (theta < first.theta) first = {theta, k, f, false};
         }
+        if (const double theta = creep_ends(k, std::min(reach, first.theta)); theta < first.theta)
+            first = {theta, k, creep_function, false};
     }
     return first;
+}
+
+// a contact that slips slowly is told as one that sticks
+bool TaylorRun::is_creeping(std::size_t contact) const {
+    return is_slip(state_.set[contact]) && told_[contact] == ContactMode::stick;
+}
+
+// where its speed passes that of creep, either way; nothing changes there but what is told
+double TaylorRun::creep_ends(std::size_t contact, double reach) const {
+    const double speed = structure_.contacts[contact].creep_speed;
+    if (!(speed > 0.0) || !is_slip(state_.set[contact])) return no_zero;
+    const double way = is_creeping(contact) ? -1.0 : 1.0;
+    BlockSeries c = block_.slip_velocity(contact);
+    for (double& each : c)
+        each *= way * sign_of(state_.set[contact]);
+    c[0] -= way * speed;
+    const double zero = first_zero(c, crossed_ == contact ? 1 : 0, reach);
+    // a speed that only touches it turns round at once: time must go on
+    return crossed_ == contact && zero == 0.0 ? std::min(reach, least_creep_share) : zero;
 }
 
 void TaylorRun::move(double theta) {
@@ -195,25 +222,35 @@ void TaylorRun::move(double theta) {
     block_.move_friction_states(theta, state_.friction_states);
     widen(travel_, state_.q, state_.v);
     is_fresh_ = false;
+    crossed_ = no_contact;
+}
+
+// what is told of a contact; that of the one whose speed has passed that of creep is turned
+ContactMode TaylorRun::shown_mode(std::size_t contact, double slip_velocity) const {
+    const ContactMode mode = state_.set[contact];
+    const double speed = structure_.contacts[contact].creep_speed;
+    if (!(speed > 0.0) || !is_slip(mode)) return mode;
+    const bool creeps = contact == crossed_ ? !is_creeping(contact) : std::abs(slip_velocity) < speed;
+    return creeps ? ContactMode::stick : mode;
 }
 
 // tells the recorder what has changed
 void TaylorRun::tell() {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
-        if (contact_of(state_.set[k]) == contact_of(told_[k]) && time_ > 0.0) continue;
-        if (!stuck_since_.empty() && time_ > 0.0) stuck_since_[k] = time_;
         const ModalContact& c = structure_.contacts[k];
         double w = -c.drive_share * surface_[0], rate = 0.0;
         for (std::size_t j = 0; j < c.tangent.size(); ++j) {
             w += c.tangent[j] * state_.v[j];
             rate += c.normal[j] * state_.v[j];
         }
-        const record::ContactInterval interval{contact_of(state_.set[k]), time_, 0.0, w, rate};
+        const ContactMode former = std::exchange(told_[k], shown_mode(k, w));
+        if (contact_of(told_[k]) == contact_of(former) && time_ > 0.0) continue;
+        if (!stuck_since_.empty() && time_ > 0.0) stuck_since_[k] = time_;
+        const record::ContactInterval interval{contact_of(told_[k]), time_, 0.0, w, rate};
         recorder_.enter(structure_.number[k], interval);
         intervals_[k] = interval;
         if (is_measuring_) period_changes_.push_back({structure_.number[k], interval});
     }
-    told_ = state_.set;
     let_rest();
 }
 
@@ -270,6 +307,7 @@ void TaylorRun::pass(Memory& pass) {
     pass(travel_.initial_q), pass(travel_.most_q), pass(travel_.most_v), pass(stuck_since_), pass(state_.rested);
     pile_up_.pass(pass);
     pass(crowd_begin_), pass(crowd_events_);
+    if (counts_creep()) pass(crossed_);
     settling_.pass(pass);
 }
 
@@ -342,6 +380,13 @@ Outcome TaylorRun::go_on(const std::stop_token& stop) {
         move(theta);
         time_ = ends_at_boundary ? boundary : time_ + theta * length;
         let_rest();
+        if (fires && firing.function == creep_function) {
+            crossed_ = firing.contact;
+            surface_ = surface(time_);
+            tell();
+            continue;
+        }
+        crossed_ = no_contact;
         if (fires) {
             if (const auto outcome = fire(firing)) return *outcome;
             if (watch_for_cycle(stop))

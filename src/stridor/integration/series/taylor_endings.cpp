@@ -124,9 +124,12 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
 std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(structure_.number.size(), proven_outlook(silence_, cycle_));
     if (has_friction_states()) {
-        for (std::size_t k = 0; k < known.size(); ++k)
-            if (has_friction_state(structure_.contacts[k].friction))
+        for (std::size_t k = 0; k < known.size(); ++k) {
+            const ModalContact& contact = structure_.contacts[k];
+            const bool is_told = contact.creep_speed > 0.0 && !is_creeping(k);
+            if (has_friction_state(contact.friction) && !is_told)
                 known[structure_.number[k]].future = record::Future::creeps;
+        }
         return known;
     }
     const bool may_know =

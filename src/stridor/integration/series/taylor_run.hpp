@@ -25,6 +25,10 @@ public:
     Motion run(const std::stop_token& stop);
 
 private:
+    // beside the event functions of a contact: that of its speed of creep
+    static constexpr std::size_t creep_function = most_functions;
+    static constexpr std::size_t no_contact = 0xFFFFFFFF;
+
     // a function of a contact that becomes zero
     struct Firing {
         double theta = no_zero;  // [1]
@@ -51,10 +55,14 @@ private:
     EnergyBalance energy() const;
     const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
     bool has_friction_states() const;
+    bool counts_creep() const;
     SurfaceSeries surface(double time) const;
     double next_boundary() const;
     Firing first_firing(double reach);
     double growing_limit(std::size_t contact, std::size_t function, int dropped, double reach) const;
+    bool is_creeping(std::size_t contact) const;
+    double creep_ends(std::size_t contact, double reach) const;
+    ContactMode shown_mode(std::size_t contact, double slip_velocity) const;
     void let_rest();
     void account(double theta);
     void add_normal_impulse(double theta, Sums& sums) const;
@@ -93,7 +101,8 @@ private:
     std::size_t span_ = 0;
     std::size_t corner_ = 0;
     SampleTimes samples_;
-    std::vector<ContactMode> told_;
+    std::vector<ContactMode> told_;                   // one that creeps as one that sticks
+    std::size_t crossed_ = no_contact;                // its speed is that of creep where the block begins
     std::vector<record::ContactInterval> intervals_;  // the present states, as the recorder knows them, shape [contact]
     long blocks_ = 1;
     Handover* handover_ = nullptr;

@@ -316,6 +316,8 @@ const std::array table{
           quantity<&Case::verdict, &Thresholds::least_distance>("1", Range{0.0, 1000.0}), always},
     Field{"verdict", "creeping", "", "verdict of a contact that creeps where it should stick",
           choice<&Case::verdict, &Thresholds::creeping, Creeping>(creeping_names), has_no_stick},
+    Field{"verdict", "creep_speed", "w_c", "slip velocity below which a contact that creeps counts as stuck; 0: never",
+          quantity<&Case::verdict, &Thresholds::creep_speed>("m/s", not_negative), has_creep},
 };
 
 bool contains(const Range& range, double value) {

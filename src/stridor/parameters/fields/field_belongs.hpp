@@ -50,6 +50,9 @@ inline bool has_bristles(CaseView at) {
 inline bool has_rate_and_state(CaseView at) {
     return has_friction_state(at.own().contact.friction) && !has_bristles(at);
 }
+inline bool has_creep(CaseView at) {
+    return has_friction_state(at.own().contact.friction);
+}
 inline bool has_stick(CaseView at) {
     return !has_no_stick(at) && !has_friction_state(at.own().contact.friction);
 }

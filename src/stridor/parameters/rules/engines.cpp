@@ -98,8 +98,8 @@ const Lack lacks[] = {
      "Use \"standard\"; a structure of your own may do without."},
 };
 
-// has the contact's law a power series along any motion (model/friction/friction_jet)? A power of the slip velocity that
-// is no whole number has none where a slip begins
+// has the contact's law a power series along any motion (model/friction/friction_jet)? A power of the slip velocity
+// that is no whole number has none where a slip begins
 bool has_series(const Contact& contact) {
     const bool has_power = contact.friction == FrictionKind::stribeck ||
                            contact.friction == FrictionKind::stribeck_rational ||
