@@ -60,7 +60,7 @@ std::vector<pictures::HeldPoint> points_of(const std::vector<verification::HeldS
         for (const verification::HeldNumber& held : system.numbers) {
             const verification::PublishedNumber& number = *held.published;
             const double size = std::abs(number.theirs);
-            if (number.unit == verification::category_unit || size == 0.0) continue;
+            if (is_word(number) || size == 0.0) continue;
             points.push_back({number.quantity,
                               number_text(number, number.theirs) + " | " + number_text(number, held.ours),
                               static_cast<std::size_t>(system.published->origin), number.tolerance / size,

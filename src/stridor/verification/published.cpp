@@ -38,7 +38,12 @@ HeldSystem held(const PublishedSystem& system) {
     return found;
 }
 
+bool is_word(const PublishedNumber& number) {
+    return number.unit == category_unit || number.unit == motion_unit;
+}
+
 std::string number_text(const PublishedNumber& number, double value) {
+    if (number.unit == motion_unit) return std::string(motion_names.at(static_cast<std::size_t>(value)));
     if (number.unit != category_unit) return fmt::format("{:.9g}", value);
     return std::string(classification::category_names.at(static_cast<std::size_t>(value)));
 }

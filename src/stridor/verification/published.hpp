@@ -21,10 +21,13 @@ inline constexpr std::array<std::string_view, 3> origin_names{"formula", "comput
 /// The unit of a row whose numbers are categories (`classification::category_names`).
 inline constexpr std::string_view category_unit = "category";
 
+/// The unit of a row whose numbers are motions (`motion_names`).
+inline constexpr std::string_view motion_unit = "motion";
+
 /// One published number.
 struct PublishedNumber {
     std::string quantity;          // "amplitude, g = 1.5, r = 0.2"
-    std::string_view unit;         // as in the field table, or `category_unit`
+    std::string_view unit;         // as in the field table, `category_unit` or `motion_unit`
     std::vector<std::string> set;  // what the case changes for it, as `--set`
     QuantityOfCase measure;        // computes ours
     std::string about;             // for `measure`
@@ -32,6 +35,9 @@ struct PublishedNumber {
     double tolerance = 0.0;        // [unit] from the precision of theirs, never from ours
     std::string_view precision;    // where the tolerance comes from
 };
+
+/// Says whether a number stands for a word: it has no size, and no tolerance.
+bool is_word(const PublishedNumber& number);
 
 /// A system that others published numbers of.
 struct PublishedSystem {
@@ -82,7 +88,7 @@ struct HeldSystem {
 /// Computes ours of each number of a system.
 HeldSystem held(const PublishedSystem& system);
 
-/// Returns a number as the table writes it: nine digits, or the word of a category.
+/// Returns a number as the table writes it: nine digits, or the word of a category or a motion.
 std::string number_text(const PublishedNumber& number, double value);
 
 /// Returns the JSON document of the table, schema stridor.published/1.

@@ -11,11 +11,11 @@ using base::Json;
 Json number_object(const HeldNumber& held) {
     const PublishedNumber& number = *held.published;
     Json object{{"quantity", number.quantity}, {"unit", number.unit}, {"set", number.set}};
-    const bool is_word = number.unit == category_unit;
-    object["theirs"] = is_word ? Json(number_text(number, number.theirs)) : Json(number.theirs);
-    object["ours"] = is_word ? Json(number_text(number, held.ours)) : Json(held.ours);
-    object["difference"] = is_word ? Json() : Json(held.difference());
-    object["tolerance"] = is_word ? Json() : Json(number.tolerance);
+    const bool word = is_word(number);
+    object["theirs"] = word ? Json(number_text(number, number.theirs)) : Json(number.theirs);
+    object["ours"] = word ? Json(number_text(number, held.ours)) : Json(held.ours);
+    object["difference"] = word ? Json() : Json(held.difference());
+    object["tolerance"] = word ? Json() : Json(number.tolerance);
     object["precision"] = number.precision;
     object["agrees"] = held.agrees();
     return object;

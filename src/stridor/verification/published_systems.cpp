@@ -21,6 +21,8 @@ constexpr std::string_view finite_modes = "15 %, by judgement: their corner is s
 constexpr std::string_view modelica_steps = "1e-4 of it, by judgement: steps of a tolerance of 1e-6 each";
 constexpr std::string_view read_off = "read off a figure";
 constexpr std::string_view growth_of_none = "5e-6 of it: a growth of 1e-9 of the largest eigenvalue counts as none";
+constexpr std::string_view seen_on_either_side =
+    "half of 788 (seen to slip) to 1080 (seen steady), and the errors of their a, b, D_c (178)";
 constexpr std::string_view no_parameters = "mass, stiffness and friction do not stand in open text";
 
 // at force rates of so many N/s: the surface pulls a spring of 0.01 N/m, until shortly after the break-away
@@ -47,6 +49,18 @@ PublishedNumber leine(std::string quantity, std::string_view unit, std::vector<s
 PublishedNumber paper_category(std::string_view phase, Category theirs) {
     const std::string name(phase);
     return {name, category_unit, {}, category, name, static_cast<double>(theirs), 0.0, "the same word"};
+}
+
+// a rig of this loading stiffness over the normal force was seen to slide steadily or to slip by fits and starts
+PublishedNumber powder(std::string rig, std::string_view stiffness, double theirs) {
+    return {std::move(rig) + ", k' = " + std::string(stiffness),
+            motion_unit,
+            {"stiffness_scale=" + std::string(stiffness)},
+            motion_under_steady_drive,
+            "",
+            theirs,
+            0.0,
+            "the same word"};
 }
 
 PublishedSystem paper_case(std::string_view file, std::vector<PublishedNumber> numbers) {
@@ -202,6 +216,25 @@ std::vector<PublishedSystem> make_systems() {
            5.001666667e9,
            2.5e4,
            growth_of_none}}},
+        {"Leeman et al. 2016 (jrleeman/LeemanNatComm2016)",
+         "sheared powder; k' is the rig's stiffness over its load [1/m]",
+         Origin::measurement,
+         "powder.toml",
+         "a, b, D_c of a steel rig at 8 MPa (p4309, last step) hold for all, as theirs; 0.01 kg per newton",
+         {powder("p4309, steel, 8 MPa", "2480", 0.0),
+          powder("p4314, steel, 12 MPa", "1959", 0.0),
+          powder("p4267, acrylic, 2 MPa", "1767", 0.0),
+          powder("p4338, acrylic, 4 MPa", "1080", 0.0),
+          powder("p4272, acrylic, 8 MPa", "670", 1.0),
+          powder("p4316, acrylic, 12 MPa", "441", 1.0),
+          {"k' below which it slips",
+           "N/m",
+           {},
+           stability_limit,
+           "stiffness_scale=300:3000",
+           934.0,
+           324.0,
+           seen_on_either_side}}},
         {"Code_Aster V5.01.100 (SDND100)",
          "a friction pad on a spring, released",
          Origin::formula,
@@ -331,6 +364,8 @@ const std::vector<NotReproduced>& not_reproduced() {
     static const std::vector<NotReproduced> all{
         {"Feeny and Moon 1994", "chaos of a forced mass whose normal force follows its way",
          "no number stands in open text"},
+        {"Leeman et al. 2016, measured: p4328, p4329", "powder, acrylic, 6 MPa: slips slowly at k' = 728 and 788",
+         "their a, b and D_c set the limit at 702, with an error of a quarter"},
         {"Reddyhoff et al. 2015, measured", "wiper blades, noise near 1000 Hz and at 2000 to 2500 Hz", no_parameters},
         {"Acoustics 7 (2025) 61, measured", "brake, creep groan at 80 Hz, honk at 400 to 500 Hz", no_parameters},
         {"Marino and Cicirello 2020, measured", "transmissibility of a storey with friction", no_parameters},

@@ -238,6 +238,11 @@ double stability_limit(const Case& c, std::string_view about) {
     return stable_boundary(c, about).value;
 }
 
+double motion_under_steady_drive(const Case& c, std::string_view) {
+    const analysis::DirectionScan going = analysis::scan_stability(c, std::nullopt).directions.front();
+    return going.here.kind == analysis::StabilityKind::stable ? 0.0 : 1.0;
+}
+
 double stability_frequency(const Case& c, std::string_view about) {
     return stable_boundary(c, about).frequency;
 }

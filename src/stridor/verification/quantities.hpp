@@ -2,6 +2,7 @@
 
 #include "stridor/parameters/case.hpp"
 
+#include <array>
 #include <string_view>
 
 /// Numbers of a case that others publish, each computed by the engine that the case names.
@@ -53,6 +54,13 @@ double slip_share(const parameters::Case& c, std::string_view about);
 /// Returns where steady sliding first becomes stable, or ceases to be, along the range `about`: going or, if not there,
 /// coming.
 double stability_limit(const parameters::Case& c, std::string_view about);
+
+/// What a rig is seen to do under a steady drive.
+inline constexpr std::array<std::string_view, 2> motion_names{"steady", "slips"};
+
+/// Returns the number of the motion (`motion_names`) that the first contact takes: it slips by fits and starts once
+/// steady sliding is unstable, going.
+double motion_under_steady_drive(const parameters::Case& c, std::string_view about);
 
 /// Returns the frequency of the mode that begins to grow there [Hz].
 double stability_frequency(const parameters::Case& c, std::string_view about);

@@ -14,12 +14,12 @@ using verification::PublishedNumber;
 
 std::string number_line(const HeldNumber& held) {
     const PublishedNumber& number = *held.published;
-    const bool is_word = number.unit == verification::category_unit;
-    const std::string unit = is_word || number.unit == "1" ? "" : fmt::format(" [{}]", number.unit);
+    const bool word = is_word(number);
+    const std::string unit = word || number.unit == "1" ? "" : fmt::format(" [{}]", number.unit);
     return fmt::format("  {:<49}{:>15}{:>15}{:>10}{:>8}  {}\n", number.quantity + unit,
                        number_text(number, number.theirs), number_text(number, held.ours),
-                       is_word ? "" : fmt::format("{:.1e}", held.difference()),
-                       is_word ? "" : fmt::format("{:.0e}", number.tolerance),
+                       word ? "" : fmt::format("{:.1e}", held.difference()),
+                       word ? "" : fmt::format("{:.0e}", number.tolerance),
                        held.agrees() ? "ok" : styled("DIFFERS", Style::red, STDOUT_FILENO));
 }
 
