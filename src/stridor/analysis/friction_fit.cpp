@@ -40,34 +40,17 @@ double neighbour_effect(const PointSet& set, const std::vector<double>& residual
     return 1.0 + 2.0 * std::clamp(alike, 0.0, 1.0);
 }
 
-double criterion_of(double squares, double points, double numbers) {
-    const double k = numbers + 1.0;  // the deviation is one, too
-    if (points - k - 1.0 <= 0.0) return open_end;
-    return points * std::log(squares / points) + 2.0 * k + 2.0 * k * (k + 1.0) / (points - k - 1.0);
-}
-
 // --- a law of its form
-
-FittedNumber number_called(std::string_view symbol, double value, std::pair<double, double> interval) {
-    constexpr std::array<std::array<std::string_view, 3>, 6> keys{{{"mu_s", "contact.static_friction", "1"},
-                                                                   {"mu_d", "contact.kinetic_friction", "1"},
-                                                                   {"s_mu", "contact.friction_slope", "s/m"},
-                                                                   {"v_s", "contact.stribeck_velocity", "m/s"},
-                                                                   {"delta", "contact.stribeck_exponent", "1"},
-                                                                   {"k_v", "contact.viscous_friction", "s/m"}}};
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto& each) { return each[0] == symbol; });
-    // fitted values lie within their interval, but for rounding
-    return {(*key)[1], symbol, (*key)[2], value, std::min(interval.first, value), std::max(interval.second, value)};
-}
 
 // of laws whose mu_s is no part of the curve: that of the peaks, or of what a slip begins with
 void add_static(std::vector<FittedNumber>& numbers, const FrictionPoints& data, const FittedNumber& kinetic) {
     const MeasuredCoefficient& seen = data.static_friction;
-    FittedNumber number = number_called("mu_s", kinetic.value, {kinetic.from, kinetic.to});
+    FittedNumber number = number_called(&Contact::static_friction, kinetic.value, {kinetic.from, kinetic.to});
     if (seen.count > 0 && seen.value > kinetic.value) {
         const double half =
             std::isfinite(seen.uncertainty) ? student_975(static_cast<double>(seen.count) - 1.0) * seen.uncertainty : 0;
-        number = number_called("mu_s", seen.value, {std::max(0.0, seen.value - half), seen.value + half});
+        number =
+            number_called(&Contact::static_friction, seen.value, {std::max(0.0, seen.value - half), seen.value + half});
     }
     numbers.insert(numbers.begin(), number);
 }
@@ -76,14 +59,8 @@ Contact contact_of(const FittedForm& fitted, const std::vector<FittedNumber>& nu
     Contact contact;
     contact.static_friction = contact.kinetic_friction = 0.0;
     contact.friction = fitted_kinds[fitted.form.kind];
-    for (const FittedNumber& number : numbers) {
-        if (number.symbol == "mu_s") contact.static_friction = number.value;
-        if (number.symbol == "mu_d") contact.kinetic_friction = number.value;
-        if (number.symbol == "s_mu") contact.friction_slope = number.value;
-        if (number.symbol == "v_s") contact.stribeck_velocity = number.value;
-        if (number.symbol == "delta") contact.stribeck_exponent = number.value;
-        if (number.symbol == "k_v") contact.viscous_friction = number.value;
-    }
+    for (const FittedNumber& number : numbers)
+        contact.*number.member = number.value;
     contact.static_friction = std::max(contact.static_friction, contact.kinetic_friction);
     if (contact.friction != FrictionKind::table) return contact;
     contact.interpolation = parameters::Interpolation::linear;
@@ -136,25 +113,28 @@ FittedLaw law_of(const FittedForm& fitted, const Siblings& siblings, const Point
     switch (fitted_kinds[law.kind]) {
         case FrictionKind::stribeck:
         case FrictionKind::stribeck_rational:
-            law.numbers = {number_called("mu_s", beta[0] + beta[1], interval({0, 1})),
-                           number_called("mu_d", beta[0], interval({0})),
-                           number_called("v_s", fitted.velocity, over_siblings([&](const FittedForm& form) {
-                                             return velocities_within(form, set, limit);
-                                         })),
-                           number_called("delta", fitted.form.exponent, over_siblings([](const FittedForm& form) {
-                                             return std::pair{form.form.exponent, form.form.exponent};
-                                         }))};
-            if (fitted.form.has_viscous) law.numbers.push_back(number_called("k_v", beta[2], interval({2})));
+            law.numbers = {
+                number_called(&Contact::static_friction, beta[0] + beta[1], interval({0, 1})),
+                number_called(&Contact::kinetic_friction, beta[0], interval({0})),
+                number_called(&Contact::stribeck_velocity, fitted.velocity, over_siblings([&](const FittedForm& form) {
+                    return velocities_within(form, set, limit);
+                })),
+                number_called(&Contact::stribeck_exponent, fitted.form.exponent,
+                              over_siblings([](const FittedForm& form) {
+                                  return std::pair{form.form.exponent, form.form.exponent};
+                              }))};
+            if (fitted.form.has_viscous)
+                law.numbers.push_back(number_called(&Contact::viscous_friction, beta[2], interval({2})));
             break;
         case FrictionKind::table: {
-            const FittedNumber first = number_called("mu_d", beta[0], {beta[0], beta[0]});
+            const FittedNumber first = number_called(&Contact::kinetic_friction, beta[0], {beta[0], beta[0]});
             add_static(law.numbers, data, first);
             break;
         }
         default:
-            law.numbers = {number_called("mu_d", beta[0], interval({0}))};
+            law.numbers = {number_called(&Contact::kinetic_friction, beta[0], interval({0}))};
             if (fitted_kinds[law.kind] == FrictionKind::linear)
-                law.numbers.push_back(number_called("s_mu", beta[1], interval({1})));
+                law.numbers.push_back(number_called(&Contact::friction_slope, beta[1], interval({1})));
             add_static(law.numbers, data, law.numbers.front());
     }
     law.contact = contact_of(fitted, law.numbers);
@@ -245,7 +225,8 @@ FrictionFit coulomb_of_slips(FrictionPoints data) {
     const MeasuredCoefficient kinetic = data.kinetic_friction;
     const double half = student_975(static_cast<double>(kinetic.count) - 1.0) * kinetic.uncertainty;
     FittedLaw law;
-    law.numbers = {number_called("mu_d", kinetic.value, {std::max(0.0, kinetic.value - half), kinetic.value + half})};
+    law.numbers = {number_called(&Contact::kinetic_friction, kinetic.value,
+                                 {std::max(0.0, kinetic.value - half), kinetic.value + half})};
     add_static(law.numbers, data, law.numbers.front());
     law.contact.static_friction = law.numbers[0].value;
     law.contact.kinetic_friction = law.numbers[1].value;
@@ -290,6 +271,52 @@ std::string names_of(const FrictionFit& fit, const std::vector<std::size_t>& law
     return text;
 }
 
+// [1] the number of points over that of independent ones, by what a table leaves of them
+double dependence_of(const PointSet& set, const std::vector<double>& knots) {
+    if (knots.size() >= set.points.size()) return 1.0;
+    const FittedForm table = best_form({fitted_kinds.size() - 1, 1.0, false, false, knots}, set);
+    return table.fit.numbers.empty() ? 1.0 : neighbour_effect(set, residuals_of(table, set), knots.size());
+}
+
+// all forms of a law that the points can bear; `why` is told where there are too few speeds
+Siblings forms_fitted(std::size_t kind, const std::vector<double>& knots, const PointSet& set, const FrictionFit& fit,
+                      std::string& why) {
+    Siblings fitted_forms;
+    const auto points = static_cast<double>(set.points.size());
+    for (const LawForm& form : forms_of(kind, knots)) {
+        const std::size_t numbers = numbers_of(form);
+        if (numbers > fit.speeds || (kind + 1 == fitted_kinds.size() && knots.size() < 2)) {
+            if (why.empty())
+                why = "its " + std::to_string(std::max<std::size_t>(numbers, 2)) +
+                      " numbers need as many speeds of slip; the runs have " + std::to_string(fit.speeds);
+            continue;
+        }
+        FittedForm fitted = best_form(form, set);
+        if (!std::isfinite(fitted.fit.squares)) continue;
+        fitted.fit.squares =
+            std::max(fitted.fit.squares, points * least_relative * least_relative * set.level * set.level);
+        fitted.free_numbers = numbers;
+        fitted.criterion =
+            akaike(fitted.fit.squares * fit.independent / points, fit.independent, static_cast<double>(numbers));
+        fitted_forms.push_back(std::move(fitted));
+    }
+    return fitted_forms;
+}
+
+// of forms that are not told apart the one with the fewest numbers: k_v is taken where the data show it
+const FittedForm* simplest_of(const Siblings& forms) {
+    double least = open_end;
+    for (const FittedForm& form : forms)
+        least = std::min(least, form.criterion);
+    const FittedForm* best = nullptr;
+    for (const FittedForm& form : forms)
+        if (form.criterion < least + telling_difference &&
+            (best == nullptr ||
+             std::pair(form.free_numbers, form.criterion) < std::pair(best->free_numbers, best->criterion)))
+            best = &form;
+    return best;
+}
+
 }  // namespace
 
 FrictionFit friction_fit(FrictionPoints data) {
@@ -303,49 +330,13 @@ FrictionFit friction_fit(FrictionPoints data) {
     const std::vector<double> different = different_speeds(fit.data.points);
     const std::vector<double> knots = knots_of(fit.data.points, different);
     fit.speeds = different.size();
-    const double level = set.level;
-    const auto points = static_cast<double>(set.points.size());
-    double effect = 1.0;
-    if (knots.size() < set.points.size()) {
-        FittedForm table;
-        table.form = {fitted_kinds.size() - 1, 1.0, false, false, knots};
-        table = best_form(table.form, set);
-        if (!table.fit.numbers.empty()) {
-            const std::vector<double> residuals = residuals_of(table, set);
-            effect = neighbour_effect(set, residuals, knots.size());
-        }
-    }
-    fit.independent = points / effect;
+    const double effect = dependence_of(set, knots);
+    fit.independent = static_cast<double>(set.points.size()) / effect;
     for (std::size_t kind = 0; kind < fitted_kinds.size(); ++kind) {
-        Siblings fitted_forms;
-        double least = open_end;
         std::string why;
-        for (const LawForm& form : forms_of(kind, knots)) {
-            const std::size_t numbers = numbers_of(form);
-            if (numbers > fit.speeds || (kind + 1 == fitted_kinds.size() && knots.size() < 2)) {
-                if (why.empty())
-                    why = "its " + std::to_string(std::max<std::size_t>(numbers, 2)) +
-                          " numbers need as many speeds of slip; the runs have " + std::to_string(fit.speeds);
-                continue;
-            }
-            FittedForm fitted = best_form(form, set);
-            if (!std::isfinite(fitted.fit.squares)) continue;
-            fitted.fit.squares = std::max(fitted.fit.squares, points * least_relative * least_relative * level * level);
-            fitted.free_numbers = numbers;
-            fitted.criterion = criterion_of(fitted.fit.squares * fit.independent / points, fit.independent,
-                                            static_cast<double>(numbers));
-            least = std::min(least, fitted.criterion);
-            fitted_forms.push_back(std::move(fitted));
-        }
-        // of forms that are not told apart the one with the fewest numbers: k_v is taken where the data show it
-        const FittedForm* best = nullptr;
-        for (const FittedForm& form : fitted_forms)
-            if (form.criterion < least + telling_difference &&
-                (best == nullptr ||
-                 std::pair(form.free_numbers, form.criterion) < std::pair(best->free_numbers, best->criterion)))
-                best = &form;
-        if (best != nullptr)
-            fit.laws.push_back(law_of(*best, fitted_forms, set, fit.data, effect));
+        const Siblings forms = forms_fitted(kind, knots, set, fit, why);
+        if (const FittedForm* best = simplest_of(forms))
+            fit.laws.push_back(law_of(*best, forms, set, fit.data, effect));
         else
             fit.unfitted.push_back({kind, why.empty() ? "too few independent points for its numbers" : why});
     }

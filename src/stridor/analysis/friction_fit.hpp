@@ -2,6 +2,7 @@
 
 #include "stridor/analysis/friction_points.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <array>
 #include <cstddef>
@@ -22,9 +23,8 @@ inline constexpr std::array<std::string_view, 5> fitted_names{"coulomb", "linear
 
 /// A number of a law with its interval of 95 % confidence. An end that the data leave open is infinite.
 struct FittedNumber {
-    std::string_view key;     // of the case: "contact.static_friction"
-    std::string_view symbol;  // "mu_s"
-    std::string_view unit;    // "1"
+    double parameters::Contact::*member = nullptr;  // where a contact keeps it
+    const parameters::Field* field = nullptr;       // of a case: its key, symbol and unit
     double value = 0.0;
     double from = 0.0;
     double to = 0.0;

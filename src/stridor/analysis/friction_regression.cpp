@@ -10,9 +10,13 @@
 
 #include "stridor/analysis/friction_stretches.hpp"
 #include "stridor/base/decompositions.hpp"
+#include "stridor/parameters/fields/field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace stridor::analysis {
@@ -171,7 +175,29 @@ double velocity_end(const FittedForm& fitted, const PointSet& set, double square
     return inside;
 }
 
+// the numbers of the laws, and their fields
+constexpr std::array<std::pair<double parameters::Contact::*, std::string_view>, 6> number_fields{
+    {{&parameters::Contact::static_friction, "contact.static_friction"},
+     {&parameters::Contact::kinetic_friction, "contact.kinetic_friction"},
+     {&parameters::Contact::friction_slope, "contact.friction_slope"},
+     {&parameters::Contact::stribeck_velocity, "contact.stribeck_velocity"},
+     {&parameters::Contact::stribeck_exponent, "contact.stribeck_exponent"},
+     {&parameters::Contact::viscous_friction, "contact.viscous_friction"}}};
+
 }  // namespace
+
+FittedNumber number_called(double parameters::Contact::*member, double value, std::pair<double, double> interval) {
+    const auto* const found = std::find_if(number_fields.begin(), number_fields.end(),
+                                           [&](const auto& each) { return each.first == member; });
+    return {member, parameters::find_field(found->second), value, std::min(interval.first, value),
+            std::max(interval.second, value)};
+}
+
+double akaike(double squares, double points, double numbers) {
+    const double k = numbers + 1.0;  // the deviation is one, too
+    if (points - k - 1.0 <= 0.0) return open_end;
+    return points * std::log(squares / points) + 2.0 * k + 2.0 * k * (k + 1.0) / (points - k - 1.0);
+}
 
 FittedForm best_form(const LawForm& form, const PointSet& set) {
     FittedForm best;

@@ -49,6 +49,14 @@ struct FittedForm {
     double criterion = open_end;
 };
 
+/// Returns the number of a law that a contact keeps in this place. Fitted values lie within their interval, but for
+/// rounding.
+FittedNumber number_called(double parameters::Contact::*member, double value, std::pair<double, double> interval);
+
+/// Returns Akaike's criterion, corrected for few points, of a sum of squares over so many points, of a law of so many
+/// numbers.
+double akaike(double squares, double points, double numbers);
+
 /// Returns the form with the least sum of squares.
 FittedForm best_form(const LawForm& form, const PointSet& set);
 

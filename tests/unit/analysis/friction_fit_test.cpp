@@ -107,8 +107,8 @@ TEST(FrictionFit, CoversTheTruthAndTellsTheLaw) {
             const FrictionFit fit = fit_of_law(fitted_kinds[kind], 10 * trace + kind + 1);
             told += fit.laws[fit.best].kind == kind && fit.rivals.empty() ? 1 : 0;
             for (const FittedNumber& number : fit.laws[law_called(fit, fitted_names[kind])].numbers) {
-                if (number.symbol == "delta" || number.symbol == "k_v") continue;
-                const double value = true_value(truth, number.symbol);
+                if (number.field->symbol == "delta" || number.field->symbol == "k_v") continue;
+                const double value = true_value(truth, number.field->symbol);
                 intervals += 1;
                 covering += number.from <= value && value <= number.to ? 1 : 0;
             }
@@ -214,9 +214,9 @@ TEST(FrictionFit, OfASweepFindsTheCurveBetweenItsEnds) {
     const FrictionFit fit = friction_fit(friction_points({&run, 1}));
     const FittedLaw& law = fit.laws[law_called(fit, "stribeck")];
     for (const FittedNumber& number : law.numbers)
-        if (number.symbol != "delta") {
-            const double value = true_value(true_contact(FrictionKind::stribeck), number.symbol);
-            EXPECT_NEAR(number.value, value, number.to - number.from) << number.symbol;
+        if (number.field->symbol != "delta") {
+            const double value = true_value(true_contact(FrictionKind::stribeck), number.field->symbol);
+            EXPECT_NEAR(number.value, value, number.to - number.from) << number.field->symbol;
         }
     EXPECT_GT(fit.speeds, 20U);
 }

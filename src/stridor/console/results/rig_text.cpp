@@ -29,7 +29,8 @@ void add_figures(TextTable& table, const FrictionFigures& figures) {
 
 // "v_s 0.0204 m/s"
 std::string value_text(const analysis::FittedNumber& number) {
-    return fmt::format("{} {:.4g}{}", number.symbol, number.value, after_number(number.unit == "1" ? "" : number.unit));
+    const std::string_view unit = parameters::unit_of(*number.field);
+    return fmt::format("{} {:.4g}{}", number.field->symbol, number.value, after_number(unit == "1" ? "" : unit));
 }
 
 // "0.0195 to 0.0213"

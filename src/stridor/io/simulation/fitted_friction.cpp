@@ -27,9 +27,9 @@ using analysis::FittedNumber;
 using base::Json;
 
 constexpr auto number_members = std::to_array<Member<FittedNumber>>({
-    {{"key"}, [](const FittedNumber& number) -> Json { return number.key; }},
-    {{"symbol"}, [](const FittedNumber& number) -> Json { return number.symbol; }},
-    {{"unit"}, [](const FittedNumber& number) -> Json { return number.unit; }},
+    {{"key"}, [](const FittedNumber& number) -> Json { return parameters::key_of(*number.field); }},
+    {{"symbol"}, [](const FittedNumber& number) -> Json { return number.field->symbol; }},
+    {{"unit"}, [](const FittedNumber& number) -> Json { return parameters::unit_of(*number.field); }},
     {{"value"}, &FittedNumber::value},
     {{"from"}, &FittedNumber::from},
     {{"to"}, &FittedNumber::to},
@@ -169,7 +169,7 @@ std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std:
                 value = to_four_figures(value);
     }
     for (const FittedNumber& number : wanted.numbers)
-        parameters::set_quantity(c, number.key, to_four_figures(number.value));
+        parameters::set_quantity(c, parameters::key_of(*number.field), to_four_figures(number.value));
     if (wanted.contact.friction == parameters::FrictionKind::table) {
         parameters::set_quantity(c, "contact.static_friction", to_four_figures(wanted.contact.static_friction));
     } else {
