@@ -18,8 +18,9 @@ using parameters::Contact;
 using parameters::FrictionKind;
 
 constexpr std::size_t most_table_rows = 8;
-constexpr double same_speed = 0.02;      // [1] speeds that differ less are one
-constexpr double least_relative = 1e-9;  // [1] of the level: deviations below are rounding
+constexpr double likelier_difference = 2.0;  // [1] of Akaike's criterion: below it no law is the likelier one
+constexpr double same_speed = 0.02;          // [1] speeds that differ less are one
+constexpr double least_relative = 1e-9;      // [1] of the level: deviations below are rounding
 
 // [1] by how much the variance of a mean grows because the means of neighbouring blocks are alike. What the
 // line of hats takes out lowers it by one over the points per row.
@@ -358,8 +359,13 @@ std::size_t law_called(const FrictionFit& fit, std::string_view name) {
 }
 
 std::string words_of(const FrictionFit& fit) {
-    std::string text = "The data bear " + name_of(fit, fit.best) + ".";
-    if (!fit.rivals.empty()) text += " They do not tell it from " + names_of(fit, fit.rivals) + ".";
+    const std::string best = name_of(fit, fit.best);
+    std::string text = fit.rivals.empty() ? "The data bear " + best + "."
+                                          : "The data do not tell " + best + " from " + names_of(fit, fit.rivals) + ".";
+    const bool is_likelier = std::all_of(fit.rivals.begin(), fit.rivals.end(), [&](std::size_t rival) {
+        return fit.laws[rival].criterion > fit.laws[fit.best].criterion + likelier_difference;
+    });
+    if (!fit.rivals.empty() && is_likelier) text += " They speak rather for " + best + ".";
     if (!fit.richer.empty())
         text += " " + names_of(fit, fit.richer) + (fit.richer.size() == 1 ? " fits" : " fit") +
                 " them no better with more numbers.";

@@ -77,7 +77,7 @@ FrictionFit friction_fit(FrictionPoints data);
 /// Returns the place in `fit.laws` of a law by its name. Throws `Error` (input) if it was not fitted, with why.
 std::size_t law_called(const FrictionFit& fit, std::string_view name);
 
-/// Returns what the data say, in sentences: "The data bear stribeck. They do not tell it from stribeck-rational."
+/// Returns what the data say, in sentences: "The data do not tell stribeck from stribeck-rational."
 std::string words_of(const FrictionFit& fit);
 
 /// Returns friction over normal force [1] of a fitted law at a point.
