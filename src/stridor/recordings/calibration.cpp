@@ -103,8 +103,8 @@ std::string in_our_letters(std::string_view text) {
 
 std::string_view symbol_of(std::string_view word) {
     const std::string small = word.size() > 1 ? csv_table::lower(word) : std::string(word);
-    const auto* const found = std::find_if(unit_spellings.begin(), unit_spellings.end(),
-                                           [&](const UnitSpelling& spelling) { return spelling.word == small; });
+    const auto found = std::find_if(unit_spellings.begin(), unit_spellings.end(),
+                                    [&](const UnitSpelling& spelling) { return spelling.word == small; });
     return found == unit_spellings.end() ? word : found->symbol;
 }
 

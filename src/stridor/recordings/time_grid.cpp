@@ -40,9 +40,8 @@ Rounded fewest_digits(double value, double tolerance) {
 
 double exact_rate(double step, double tolerance) {
     const double rate = 1.0 / step;
-    const auto* const usual = std::min_element(usual_rates.begin(), usual_rates.end(), [&](double a, double b) {
-        return std::abs(a - rate) < std::abs(b - rate);
-    });
+    const auto usual = std::min_element(usual_rates.begin(), usual_rates.end(),
+                                        [&](double a, double b) { return std::abs(a - rate) < std::abs(b - rate); });
     if (is_near(*usual, rate, tolerance)) return *usual;
     const Rounded by_rate = fewest_digits(rate, tolerance);
     const Rounded by_step = fewest_digits(step, tolerance);

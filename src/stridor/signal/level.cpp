@@ -23,9 +23,9 @@ constexpr std::array<Reference, 4> references{{
 }};
 
 const Reference* find_reference(std::string_view unit) {
-    const auto* found = std::find_if(references.begin(), references.end(),
-                                     [&](const Reference& reference) { return reference.unit == unit; });
-    return found == references.end() ? nullptr : found;
+    const auto found = std::find_if(references.begin(), references.end(),
+                                    [&](const Reference& reference) { return reference.unit == unit; });
+    return found == references.end() ? nullptr : &*found;
 }
 
 constexpr std::size_t most_kept = 8192;

@@ -44,8 +44,8 @@ inline constexpr std::array feature_table{
     SoundFeature{"impulse_periodicity", "1", &SoundFeatures::impulse_periodicity, SoundFeature::Told::in_evaluations},
 };
 
-// four numbers and a count are not in it; a feature that is added is
-static_assert(sizeof(SoundFeatures) == (4 + feature_table.size()) * sizeof(double) + sizeof(std::size_t));
+// four numbers and a count, which has the place of a number, are not in it; a feature that is added is
+static_assert(sizeof(SoundFeatures) == (5 + feature_table.size()) * sizeof(double));
 
 /// Returns the row of a member, for tables that describe it in other words.
 constexpr const SoundFeature& feature_of(double SoundFeatures::*member) {

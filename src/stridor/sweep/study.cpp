@@ -227,7 +227,7 @@ Axis resting_axis(const Case& c, const Axis& x) {
         return parameters::belongs(c, key) && !parameters::overlap(c, x.parameter, key) &&
                !parameters::follows_table(c, key);
     };
-    const auto* const found = std::find_if(resting.begin(), resting.end(), rests);
+    const auto found = std::find_if(resting.begin(), resting.end(), rests);
     STRIDOR_EXPECT(found != resting.end());
     const std::string key = parameters::single_keys(c, *found).front();
     const double value = parameters::get_quantity(c, key);

@@ -104,7 +104,7 @@ sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, i
         axis.points = *asked;
     }
     if (parts.size() > 3) {
-        const auto* const found = std::find(sweep::scale_names.begin(), sweep::scale_names.end(), parts[3]);
+        const auto found = std::find(sweep::scale_names.begin(), sweep::scale_names.end(), parts[3]);
         if (found == sweep::scale_names.end())
             throw refusal("\"" + std::string(parts[3]) + "\" is no scale: linear or log");
         axis.scale = static_cast<sweep::Scale>(found - sweep::scale_names.begin());

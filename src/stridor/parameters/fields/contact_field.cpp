@@ -42,8 +42,8 @@ std::span<const ContactField> contact_fields() {
 }
 
 const ContactField& contact_field(std::string_view key) {
-    const auto* const found = std::find_if(contact_table.begin(), contact_table.end(),
-                                           [&](const ContactField& field) { return field.key == key; });
+    const auto found = std::find_if(contact_table.begin(), contact_table.end(),
+                                    [&](const ContactField& field) { return field.key == key; });
     STRIDOR_EXPECT(found != contact_table.end());
     return *found;
 }

@@ -105,7 +105,7 @@ parameters::OwnStructure built_structure(const StructureBuilder& builder, const 
 }
 
 std::span<const BuilderKey> builder_keys(std::string_view builder) {
-    const auto* const found =
+    const auto found =
         std::find_if(all_builders.begin(), all_builders.end(), [&](const auto& each) { return each.name == builder; });
     STRIDOR_EXPECT(found != all_builders.end());
     return found->keys;
