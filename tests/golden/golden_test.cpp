@@ -4,7 +4,7 @@
 #include "golden/results.hpp"
 #include "golden/witness.hpp"
 #include "stridor/integration/kernels/exact_kernel.hpp"
-#include "stridor/sweep/store/store.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ int update() {
             for (const std::string& sentence : contradictions(said, now))
                 std::cerr << sentence << '\n';
             std::cerr
-                << "results moved: raise results_version (src/stridor/sweep/store/store_layout.hpp) and say what and "
+                << "results moved: raise results_version (src/stridor/sweep/results_version.hpp) and say what and "
                    "why in CHANGELOG.md under \"Results changed\"\n";
             return 1;
         }

@@ -14,7 +14,7 @@
 #include "stridor/sweep/starts.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "support/seal_lip.hpp"
-#include "support/small_study.hpp"
+#include "support/small_chart.hpp"
 
 #include <fmt/format.h>
 

@@ -12,6 +12,7 @@
 #include "stridor/sweep/store/chart_state.hpp"
 #include "stridor/sweep/store/merge.hpp"
 #include "stridor/sweep/store/share.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "stridor/advice/margins.hpp"
 #include "stridor/advice/quieting.hpp"
 #include "stridor/advice/tolerance.hpp"
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 
 #include <cstddef>
 #include <functional>

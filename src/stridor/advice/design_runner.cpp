@@ -7,7 +7,7 @@
 #include "stridor/crew/crew.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/store/store_layout.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>

@@ -77,6 +77,9 @@ public:
 /// Makes the crew of a work. A stop request ends the crew's computing within a fraction of a second.
 using CrewMaker = std::function<std::unique_ptr<Crew>(const Work& work, const std::stop_token& stop)>;
 
+/// Makes crews of `threads` threads of this process; 0: one per processor this process may use.
+CrewMaker thread_crews(int threads = 0);
+
 /// Lets a crew compute all these tasks, the first ones first, and hands each result over as it comes, in any order.
 ///
 /// `tick` is called ten times a second meanwhile, and once at the end; both calls come from the caller's thread. If the

@@ -60,7 +60,4 @@ private:
 /// `Error` (input) for more than any machine has.
 std::size_t thread_count(int asked);
 
-/// Makes crews of `threads` threads of this process; 0: one per processor this process may use.
-CrewMaker thread_crews(int threads = 0);
-
 }  // namespace stridor::crew

@@ -10,6 +10,7 @@
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sound/feature_table.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "stridor/sweep/study_work.hpp"
 

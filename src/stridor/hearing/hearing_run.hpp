@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/hearing/hearing.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/storage/kept_results.hpp"

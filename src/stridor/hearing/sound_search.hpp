@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/classification/compared_sound.hpp"
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/hearing/sound_comparison.hpp"
 #include "stridor/signal/band_limit.hpp"

@@ -8,6 +8,7 @@
 #include "stridor/parameters/rules/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/store/store.hpp"
 #include "stridor/sweep/study_work.hpp"
 

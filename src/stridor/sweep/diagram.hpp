@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/cell.hpp"
 

@@ -7,8 +7,8 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/starts.hpp"
-#include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/sweep/cell.hpp"
 

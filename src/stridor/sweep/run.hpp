@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/crew/thread_crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/crew/crew.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/store/store_layout.hpp"
+#include "stridor/sweep/results_version.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "stridor/sweep/store/share.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
 #include "support/error_text.hpp"
 #include "support/small_study.hpp"
 

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/storage/hand_over.hpp"
+#include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>

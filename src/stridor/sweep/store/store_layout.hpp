@@ -23,10 +23,6 @@ inline constexpr int store_schema = 3;
 /// from layout 3 on.
 inline constexpr storage::Identity store_identity{0x53545244, 3};
 
-/// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
-/// store begun before is then refused, for its cells and new ones would not fit together.
-inline constexpr int results_version = 12;
-
 /// Returns how a store is opened: by one process alone, with the words of a sweep.
 storage::DatabaseOptions store_options();
 
