@@ -6,6 +6,7 @@
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/browser.hpp"
 #include "stridor/explorer/gate.hpp"
+#include "stridor/explorer/served_world.hpp"
 #include "stridor/explorer/server.hpp"
 #include "stridor/explorer/typescript.hpp"
 #include "stridor/explorer/world.hpp"

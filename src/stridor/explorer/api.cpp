@@ -2,11 +2,13 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers/answers.hpp"
+#include "stridor/explorer/answers/seam.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <exception>
+#include <optional>
+#include <utility>
 
 namespace stridor::explorer {
 
@@ -17,39 +19,6 @@ namespace {
 template <std::size_t size>
 std::string_view text_of(const unsigned char (&bytes)[size]) {
     return {reinterpret_cast<const char*>(bytes), size};
-}
-
-struct Route {
-    std::string_view path;
-    Response (*answer)(const World&, const Json& body, const std::stop_token&);
-};
-
-constexpr std::array routes{
-    Route{"/api/simulate", simulate}, Route{"/api/motion", motion},     Route{"/api/stability", stability},
-    Route{"/api/toml", toml},         Route{"/api/chart", chart},       Route{"/api/sound", sound},
-    Route{"/api/analysis", analysis}, Route{"/api/advice", advice},     Route{"/api/design", design},
-    Route{"/api/report", report},     Route{"/api/value", value},       Route{"/api/share", share},
-    Route{"/api/modal", modal_lines}, Route{"/api/friction", friction},
-};
-
-int status_of(ErrorKind kind) {
-    switch (kind) {
-        case ErrorKind::input:
-            return 400;
-        case ErrorKind::numerical:
-            return 422;
-        case ErrorKind::interrupted:
-            return 503;
-        case ErrorKind::io:
-            return 500;
-    }
-    return 500;
-}
-
-Response refusal(int status, const Error& error) {
-    Response response = json(error_document(error));
-    response.status = status;
-    return response;
 }
 
 Response unknown(const HttpRequest& request) {
@@ -65,8 +34,8 @@ Response route(const World& world, const HttpRequest& request, const std::stop_t
         if (std::optional<Response> found = library(world, request.path)) return std::move(*found);
         return unknown(request);
     }
-    for (const Route& route : routes)
-        if (request.path == route.path) return route.answer(world, parse_body(request.body), stop);
+    if (request.path == "/api/report") return report(world, parse_body(request.body), stop);
+    if (std::optional<Response> found = answer_at(world, request.path, request.body, stop)) return std::move(*found);
     return unknown(request);
 }
 
@@ -84,13 +53,7 @@ const PageFile* page_file(std::string_view path) {
 }
 
 Response answer(const World& world, const HttpRequest& request, const std::stop_token& stop) {
-    try {
-        return route(world, request, stop);
-    } catch (const Error& error) {
-        return refusal(status_of(error.kind()), error);
-    } catch (const std::exception& error) {
-        return refusal(500, Error(ErrorKind::io, {"the explorer failed", error.what(), ""}));
-    }
+    return answered([&] { return route(world, request, stop); });
 }
 
 }  // namespace stridor::explorer

@@ -4,13 +4,11 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/noise_library/library.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 namespace stridor::explorer {
 
@@ -37,6 +35,23 @@ io::CaseReaders readers_of(const Preset& preset) {
                 if (!preset.structure) throw not_at_hand("this structure is");
                 return preset.structure->recipe ? io::read_enclosed_structure(document) : preset.structure;
             }};
+}
+
+io::CaseReaders readers_of_page() {
+    const auto refusal = [](const std::string& what, const std::string& suggestion) {
+        return Error(ErrorKind::input, {what, "the page in one file holds a case without other files", suggestion});
+    };
+    io::CaseReaders readers = io::readers_without_files();
+    readers.samples = [=](const std::string& path) -> recordings::SampledMotion {
+        throw refusal("the drive is sampled in \"" + path + "\"", "Open this case with `stridor explore`.");
+    };
+    readers.friction = [=](const std::string& path) -> recordings::SampledFriction {
+        throw refusal("the table of friction is \"" + path + "\"", "Write its rows into the case.");
+    };
+    readers.pair = [=](const std::string& pair, const std::string&) -> parameters::MaterialPair {
+        throw refusal("the pair \"" + pair + "\" stands in another file", "Write its rows into the case.");
+    };
+    return readers;
 }
 
 std::vector<Preset> paper_presets() {
@@ -91,30 +106,18 @@ double structure_seconds(const parameters::Case& c) {
     return steps * static_cast<double>(rows * (1 + own.contacts.size())) * step;
 }
 
-Preset preset_of(const io::TomlSource& source) {
+Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     Preset preset{"file", source.text, source.name, source.overrides};
     const io::SamplesReader keep = [&](const std::string& path) {
         preset.samples_file = path;
-        return preset.samples = recordings::read_sampled_file(path);
+        return preset.samples = readers.samples(path);
     };
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
-    const parameters::Case c = io::read_case(document, {keep, io::read_own_structure});
+    const parameters::Case c = io::read_case(document, {keep, readers.structure, readers.friction, readers.pair});
     preset.structure = c.own_structure;
     preset.study = io::read_study(source, document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c));
     return preset;
-}
-
-World world_of(const std::filesystem::path& library) {
-    World world;
-    world.presets = paper_presets();
-    world.library = library.empty() ? noise_library::default_library() : library;
-    std::error_code ignored;
-    if (!library.empty())
-        static_cast<void>(noise_library::Library(world.library));  // likewise
-    else if (!std::filesystem::exists(world.library, ignored))
-        world.library.clear();
-    return world;
 }
 
 }  // namespace stridor::explorer

@@ -39,21 +39,20 @@ io::TomlSource source_of(const Preset& preset);
 /// open files. A structure from a builder is built anew, from numbers that a request may vary.
 io::CaseReaders readers_of(const Preset& preset);
 
+/// Returns readers for a case that stands alone in a page: they refuse each file that it names.
+io::CaseReaders readers_of_page();
+
 /// Returns the four cases of Table 1.
 std::vector<Preset> paper_presets();
 
-/// Returns the preset of a file that was named when the program started, with its samples, its structure and its chart.
-/// If the friction depends on the temperature, the preset has a chart over that; for an own structure it has one over a
+/// Returns the preset of a file, with its samples and its structure, as these readers read them, and its chart. If the
+/// friction depends on the temperature, the preset has a chart over that; for an own structure it has one over a
 /// quantity of the structure. Throws `Error` for a file that is not a case.
-Preset preset_of(const io::TomlSource& source);
+Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers);
 
 /// Returns about how long one core runs a case with an own structure [s]; the case must have one. Measured within a
 /// factor of three of a string of 41 rows, and of 24 rows with 12 contacts.
 double structure_seconds(const parameters::Case& c);
-
-/// Returns the cases of Table 1 and a noise library: the named one, or the user's own if there is one. Throws `Error`
-/// for a named one that cannot be opened.
-World world_of(const std::filesystem::path& library);
 
 /// Returns the preset of this name. Throws `Error` (input) for an unknown name.
 const Preset& preset_named(const World& world, std::string_view name);

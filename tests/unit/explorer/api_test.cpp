@@ -1,6 +1,7 @@
 #include "stridor/explorer/api.hpp"
 
 #include "stridor/explorer/sent_columns.hpp"
+#include "stridor/explorer/served_world.hpp"
 #include "stridor/noise_library/add_recordings.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/signal/source.hpp"

@@ -1,6 +1,7 @@
 // A case with a structure of its own, in the page: what of it is sent, what may vary, and which files stay closed.
 
 #include "stridor/explorer/api.hpp"
+#include "stridor/explorer/served_world.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "support/canary.hpp"
 #include "support/error_text.hpp"

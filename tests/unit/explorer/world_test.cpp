@@ -1,6 +1,7 @@
 #include "stridor/explorer/world.hpp"
 
 #include "stridor/explorer/gate.hpp"
+#include "stridor/explorer/served_world.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"

@@ -50,12 +50,16 @@ Response friction(const World& world, const Json& body, const std::stop_token& s
 /// Returns the case, or the chart if the body has one, as a TOML file.
 Response toml(const World& world, const Json& body, const std::stop_token& stop);
 
+// answers_advice.cpp
+
 /// Returns advice on a case, as `advise --json` has it.
 Response advice(const World& world, const Json& body, const std::stop_token& stop);
 
 /// Returns "stridor.design/1": the headline of a case, judged both ways and from every start and, if the body asks for
 /// `around`, the changes of verdict close to it; "ranges" has those of its quantities.
 Response design(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_report.cpp
 
 /// Returns the report on a design as an HTML file.
 Response report(const World& world, const Json& body, const std::stop_token& stop);
