@@ -1,7 +1,7 @@
 // Time and accuracy of the engines and of general solvers on the same equations, as Markdown tables.
 //
-// The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; and a small
-// chart over the ranges of Figure 8. Errors are differences from the reference of 33 digits
+// The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; a small
+// chart over the ranges of Figure 8, and falling friction. Errors are differences from the reference of 33 digits
 // (tests/support/oracles/quad_reference), which is computed once per case and does not belong to the measurement. Times
 // are processor time of the thread, medians of runs.
 
@@ -10,6 +10,7 @@
 #include "peers/peer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/ready_charts.hpp"
+#include "stridor/verification/published.hpp"
 #include "support/oracles/quad_reference.hpp"
 
 #include <fmt/core.h>
@@ -19,6 +20,7 @@
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <regex>
 #include <string>
@@ -215,8 +217,14 @@ void compare_on_chart(const std::vector<Peer>& all) {
     }
 }
 
-// the paper's joint with Stribeck's curve, slow to fast: the reference is a general solver's with the finest tolerance
-void compare_on_stribeck(const std::vector<Peer>& all) {
+// the reference is a general solver's with the finest tolerance
+Problem with_general_reference(std::string name, const Case& c) {
+    const ContactHistory reference = by_odeint(c, 1e-14);
+    return {std::move(name), c, reference, agreement(reference, by_odeint(c, 1e-13), 1e-9).until};
+}
+
+// the paper's joint with Stribeck's curve, slow to fast
+std::vector<Problem> falling_friction() {
     std::vector<Problem> problems;
     for (const double velocity : {0.01, 0.03, 0.1, 0.3}) {
         Case c = parameters::paper_case(parameters::PaperCase::squeak);
@@ -226,21 +234,35 @@ void compare_on_stribeck(const std::vector<Peer>& all) {
         c.drive.velocity = velocity;
         c.run.initial = parameters::Initial::stuck;
         c.run.duration = c.run.window = 0.25;
-        const ContactHistory reference = by_odeint(c, 1e-14);
-        problems.push_back(
-            {fmt::format("{} m/s", velocity), c, reference, agreement(reference, by_odeint(c, 1e-13), 1e-9).until});
+        problems.push_back(with_general_reference(fmt::format("joint, {} m/s", velocity), c));
     }
+    for (const verification::PublishedSystem& system : verification::published_systems())
+        if (system.file == "leine-block.toml")
+            problems.push_back(
+                with_general_reference("Leine's block", verification::case_of(system, system.numbers.front())));
+    return problems;
+}
+
+void compare_on_falling_friction(const std::vector<Peer>& all) {
+    const std::vector<Problem> problems = falling_friction();
+    // without beta_2, whose steps would take minutes for the block
+    std::vector<Peer> taken;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(taken),
+                 [](const Peer& peer) { return !peer.name.starts_with("Stridor beta_2"); });
     std::vector<Row> rows;
-    for (const Peer& peer : all) {
+    for (const Peer& peer : taken) {
         rows.emplace_back();
         for (const Problem& problem : problems)
             rows.back().push_back(measure(peer, problem, least_runs, most_runs));
     }
-    fmt::print("\n### Stribeck's curve: processor time per simulated second [ms]\n\n");
+    fmt::print("\n### Falling friction: processor time per simulated second [ms]\n\n");
     print_numbers(
-        all, problems, rows, [](const Measurement& m) { return 1e3 * m.time; }, "{:.3g}");
-    fmt::print("\n### Stribeck's curve: changes of state in common with odeint, rtol 1e-14\n\n");
-    print_agreement(all, problems, rows);
+        taken, problems, rows, [](const Measurement& m) { return 1e3 * m.time; }, "{:.3g}");
+    fmt::print("\n### Falling friction: largest error of a rate [1]\n\n");
+    print_numbers(
+        taken, problems, rows, [](const Measurement& m) { return m.error; }, "{:.1e}");
+    fmt::print("\n### Falling friction: changes of state in common with odeint, rtol 1e-14\n\n");
+    print_agreement(taken, problems, rows);
 }
 
 #ifdef __clang__
@@ -278,6 +300,6 @@ int main(int count, char** arguments) {
     fmt::print("- {}, {}\n", compiler, processor());
     compare_on_table_1(all);
     compare_on_chart(all);
-    compare_on_stribeck(all);
+    compare_on_falling_friction(all);
     return 0;
 }

@@ -29,6 +29,7 @@ struct Mode {
 struct Rubbing {
     double m1, m2, k2y, c2y, F, mu_s, mu_d, V;  // as in docs/notation.md
     double v_s;                                 // [m/s] of Stribeck's curve; 0: mu_d is constant
+    bool is_rational;                           // mu falls as 1/(1 + |w|/v_s), else as exp(-|w|/v_s)
     double kxx, kyy, kxy;                       // [N/m]
     double cxx, cyy, cxy;                       // [N*s/m]
     double per_m1, per_m2, per_total;           // [1/kg]
@@ -37,16 +38,24 @@ struct Rubbing {
 inline Rubbing rubbing(const parameters::Case& c) {
     if (c.drive.kind != parameters::DriveKind::constant || c.run.initial == parameters::Initial::sliding)
         throw std::invalid_argument("the peers run at constant velocity, started at rest or stuck");
+    using parameters::FrictionKind;
+    Rubbing r{};
+    r.F = c.contact().preload, r.mu_s = c.contact().static_friction, r.mu_d = c.contact().kinetic_friction;
+    r.V = c.drive.velocity;
+    r.is_rational = c.contact().friction == FrictionKind::stribeck_rational;
+    r.v_s = r.is_rational || c.contact().friction == FrictionKind::stribeck ? c.contact().stribeck_velocity : 0.0;
+    // a block of one kilogram on a spring of 1 N/m, whose normal force is its preload
+    if (c.own_structure != nullptr) {
+        r.m1 = r.m2 = r.per_m1 = r.per_m2 = r.kxx = 1.0;
+        r.per_total = 0.5;
+        return r;
+    }
     const double angle = c.joint().incidence_angle * 3.14159265358979323846 / 180.0;
     const double cosine = std::cos(angle), sine = std::sin(angle);
     const double cc = cosine * cosine, ss = sine * sine, sc = sine * cosine;
     const parameters::Joint& joint = c.joint();
-    Rubbing r{};
     r.m1 = joint.mass, r.m2 = c.plate.mass;
     r.k2y = c.plate.stiffness, r.c2y = c.plate.damping;
-    r.F = c.contact().preload, r.mu_s = c.contact().static_friction, r.mu_d = c.contact().kinetic_friction;
-    r.V = c.drive.velocity;
-    r.v_s = c.contact().friction == parameters::FrictionKind::stribeck ? c.contact().stribeck_velocity : 0.0;
     r.kxx = joint.axial_stiffness * cc + joint.flexural_stiffness * ss;
     r.kyy = joint.axial_stiffness * ss + joint.flexural_stiffness * cc;
     r.kxy = (joint.axial_stiffness - joint.flexural_stiffness) * sc;
@@ -71,7 +80,9 @@ inline double plate_y(const Rubbing& r, const double* s) {
 
 /// Coefficient of a slip [1], of this slip velocity [m/s].
 inline double coefficient(const Rubbing& r, double w) {
-    return r.v_s > 0.0 ? r.mu_d + (r.mu_s - r.mu_d) * std::exp(-std::abs(w) / r.v_s) : r.mu_d;
+    if (r.v_s == 0.0) return r.mu_d;
+    const double speed = std::abs(w) / r.v_s;
+    return r.mu_d + (r.mu_s - r.mu_d) * (r.is_rational ? 1.0 / (1.0 + speed) : std::exp(-speed));
 }
 
 /// N of a closed contact [N].
