@@ -32,7 +32,7 @@ struct FrictionOptions {
     io::FrictionFitTexts texts;
     std::string fit;  // the law that was asked for, or best; empty: none is fitted
     bool risk = false;
-    io::RiskTexts rig;
+    std::vector<std::string> ranges;
     io::PairConditions pair;
     std::string into;
     std::string figure;
@@ -53,12 +53,16 @@ void fit_friction(const FrictionOptions& options) {
 }
 
 void friction(const FrictionOptions& options) {
+    const io::FrictionFitTexts& texts = options.texts;
+    if (options.fit.empty() && !options.risk && !(texts.mass + texts.stiffness + texts.damping).empty())
+        base::refuse("--mass, --stiffness and --damping say nothing here", "they are for a fit or a risk number",
+                     "Add --fit best or --risk?");
     if (!options.fit.empty()) {
         fit_friction(options);
         return;
     }
     if (options.risk) {
-        const io::RigRisk risk = io::rig_risk(options.texts, options.rig, console::say_note);
+        const io::RigRisk risk = io::rig_risk(options.texts, options.ranges, console::say_note);
         console::print(options.json ? io::rig_risk_json(risk) + "\n" : console::risk_text(risk));
         return;
     }
@@ -167,17 +171,15 @@ void add_rig_friction(CLI::App& rig) {
     CLI::Option* risk =
         command->add_flag("--risk", options->risk, "a number from 1 to 10 for each run, and what the model says")
             ->excludes(fit);
-    command->add_option("--risk-range", options->rig.ranges, "other ends of a figure's ranks, \"impulse_rate=0.1:50\"")
+    command->add_option("--risk-range", options->ranges, "other ends of a figure's ranks, \"impulse_rate=0.1:50\"")
         ->type_name("FIGURE=FROM:TO")
         ->allow_extra_args(false)
         ->needs(risk);
-    command->add_option("--mass", options->rig.mass, "the rig's moving mass")->type_name("MASS")->needs(risk);
-    command->add_option("--stiffness", options->rig.stiffness, "of the rig's spring")
-        ->type_name("STIFFNESS")
-        ->needs(risk);
-    command->add_option("--damping", options->rig.damping, "of the rig (default: none)")
-        ->type_name("DAMPING")
-        ->needs(risk);
+    command->add_option("--mass", options->texts.mass, "the rig's moving mass, for --risk and --fit; or fit")
+        ->type_name("MASS");
+    command->add_option("--stiffness", options->texts.stiffness, "of the rig's spring, for the same; or fit")
+        ->type_name("STIFFNESS");
+    command->add_option("--damping", options->texts.damping, "of the rig (default: none)")->type_name("DAMPING");
     CLI::Option* pair =
         command->add_option("--pair", options->pair.name, "print the coefficients as a row of pairs.toml, of this pair")
             ->type_name("NAME")

@@ -1,6 +1,7 @@
 #include "stridor/analysis/friction_fit.hpp"
 
 #include "stridor/analysis/friction_regression.hpp"
+#include "stridor/analysis/friction_slip_fit.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/friction/friction.hpp"
@@ -236,7 +237,7 @@ FrictionFit coulomb_of_slips(FrictionPoints data) {
     fit.independent = static_cast<double>(kinetic.count);
     fit.laws.push_back(std::move(law));
     for (std::size_t kind = 1; kind < fitted_kinds.size(); ++kind)
-        fit.unfitted.push_back({kind, "the runs show no steady sliding"});
+        fit.unfitted.push_back({kind, "the runs have stick-slip, and the rig is not known (--mass, --stiffness)"});
     fit.data = std::move(data);
     return fit;
 }
@@ -320,7 +321,12 @@ const FittedForm* simplest_of(const Siblings& forms) {
 
 }  // namespace
 
-FrictionFit friction_fit(FrictionPoints data) {
+FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig) {
+    if (data.points.empty() && rig && data.slips.size() >= fewest_slips) {
+        FrictionFit fit = fit_of_slips(std::move(data), *rig);
+        choose(fit);
+        return fit;
+    }
     if (data.points.empty() && data.kinetic_friction.count > 0) return coulomb_of_slips(std::move(data));
     if (data.points.size() < 4)
         base::refuse("the runs give " + std::to_string(data.points.size()) + " independent means of friction",

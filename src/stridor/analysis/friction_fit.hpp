@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/analysis/friction_points.hpp"
+#include "stridor/analysis/friction_slips.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/fields/field.hpp"
 
@@ -30,10 +31,21 @@ struct FittedNumber {
     double to = 0.0;
 };
 
+/// A number of the rig that was fitted, with its interval of 95 % confidence.
+struct RigNumber {
+    std::string_view name;    // "stiffness"
+    std::string_view symbol;  // "k"
+    std::string_view unit;    // "N/m"
+    double value = 0.0;
+    double from = 0.0;
+    double to = 0.0;
+};
+
 /// A law that was fitted.
 struct FittedLaw {
     std::size_t kind = 0;               // place in `fitted_kinds`
     std::vector<FittedNumber> numbers;  // those of a table are its rows' and stand in it
+    std::vector<RigNumber> rig;         // of the rig, where they were not known
     parameters::Contact contact;        // of this law, its numbers put in
     std::size_t free_numbers = 0;       // that were fitted
     double deviation = 0.0;             // [1] root mean square of what the law leaves of the points
@@ -62,6 +74,7 @@ struct FrictionFit {
     std::vector<std::size_t> richer;  // and of those with more numbers
     double independent = 0.0;         // [1] number of independent points
     std::size_t speeds = 0;           // [1] different ones
+    std::size_t slips = 0;            // [1] that were fitted through the model of the rig
 };
 
 /// Fits each law to points of friction by least squares and says which the data bear;
@@ -71,8 +84,10 @@ struct FrictionFit {
 /// is found by a search along one line, with the others solved for, none below zero (variable projection: Golub and
 /// Pereyra 1973). delta is 1 or 2, whichever fits better. The interval of a number holds all its values at which the
 /// sum of squares, the others fitted anew, stays below s^2 t^2 above the least (profile likelihood), t being Student's
-/// of 95 %. It needs no law to be nearly linear in its numbers. Throws `Error` (input) for too few points.
-FrictionFit friction_fit(FrictionPoints data);
+/// of 95 %. It needs no law to be nearly linear in its numbers. Runs that all have stick-slip are fitted through the
+/// model of the rig (`fit_of_slips`); without a rig they have Coulomb's numbers. Throws `Error` (input) for too few
+/// points.
+FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig = {});
 
 /// Returns the place in `fit.laws` of a law by its name. Throws `Error` (input) if it was not fitted, with why.
 std::size_t law_called(const FrictionFit& fit, std::string_view name);

@@ -3,6 +3,7 @@
 
 #include "stridor/analysis/friction_points.hpp"
 
+#include "stridor/analysis/friction_falls.hpp"
 #include "stridor/analysis/friction_stretches.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
@@ -153,6 +154,27 @@ void add_blocks(FrictionPoints& found, const SpeedTrace& sliding, std::size_t ru
     }
 }
 
+// Slips of all stretches. Falls that hardly stand out are kept out by the trace's threshold.
+void add_slips(FrictionPoints& found, const FrictionRun& run, const FrictionTrace& trace,
+               const FrictionTraceOptions& options) {
+    const FrictionMeasurement& m = run.measurement;
+    const std::vector<double> r = force_ratios(m, options);
+    const std::size_t longest = std::max<std::size_t>(1, base::whole_below(options.longest_drop * m.rate, r.size()));
+    for (const ForceStretch& stretch : force_stretches(m, r, options)) {
+        std::vector<double> force;
+        for (std::size_t k = stretch.from; k < stretch.to; ++k)
+            force.push_back(stretch.direction * m.force[k]);
+        for (const Fall& fall : falls(force, {trace.threshold * m.preload, trace.noise, longest})) {
+            RecordedSlip slip = recorded_slip(fall, force, m.rate);
+            if (slip.force.empty()) continue;
+            const std::size_t from = stretch.from + fall.onset, to = stretch.from + fall.valley;
+            slip.velocity = m.velocity.empty() ? run.velocity : std::abs(mean_between(m.velocity, from, to));
+            slip.normal_force = m.normal_force.empty() ? m.preload : mean_between(m.normal_force, from, to);
+            if (slip.velocity > 0.0 && slip.normal_force > 0.0) found.slips.push_back(std::move(slip));
+        }
+    }
+}
+
 // A rig that only rings falls as fast as it climbs. One that sticks climbs for long and falls at once: what the force
 // changes within the time of a drop is skewed.
 bool has_stick_slip(const FrictionRun& run, const FrictionTrace& trace) {
@@ -206,6 +228,7 @@ void add_run(FrictionPoints& found, const FrictionRun& run, std::size_t number, 
     if (sticks) {
         if (trace.all.kinetic_friction.count > found.kinetic_friction.count)
             found.kinetic_friction = trace.all.kinetic_friction;
+        if (!run.measurement.velocity.empty() || run.velocity > 0.0) add_slips(found, run, trace, options);
         found.notes.push_back(run.name + " has stick-slip: the mean of its force is no friction at its speed");
         return;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/analysis/friction_slips.hpp"
 #include "stridor/analysis/friction_trace.hpp"
 
 #include <array>
@@ -31,6 +32,7 @@ double mean_speed(const FrictionPoint& point);
 /// What runs say about friction over the speed of slip.
 struct FrictionPoints {
     std::vector<FrictionPoint> points;     // by run, in time order
+    std::vector<RecordedSlip> slips;       // of runs with stick-slip whose speed is known, in time order
     MeasuredCoefficient static_friction;   // of the runs' peaks, or first peaks
     MeasuredCoefficient kinetic_friction;  // of runs with stick-slip
     double shortest_block = 0.0;           // [s]

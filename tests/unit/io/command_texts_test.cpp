@@ -250,10 +250,23 @@ TEST(PairRow, HasTheConditionsThatAreKnown) {
     EXPECT_TRUE(thrown_by([] { pair_row(measured(0.5, 0.4), {"seal", "23 N", {}}); }).says("a temperature"));
 }
 
+TEST(MeasuringRig, NeedsMassAndStiffness) {
+    FrictionFitTexts texts;
+    EXPECT_FALSE(measuring_rig(texts));
+    texts.mass = "127 g";
+    EXPECT_TRUE(thrown_by([&] { measuring_rig(texts); }).says("the rig's stiffness is missing"));
+    texts.stiffness = "2 N/mm";
+    EXPECT_DOUBLE_EQ(measuring_rig(texts)->stiffness, 2000.0);
+    texts.mass = "fit";
+    EXPECT_TRUE(std::isnan(measuring_rig(texts)->mass));
+    texts.mass = "-1 kg";
+    EXPECT_TRUE(thrown_by([&] { measuring_rig(texts); }).says("must be above zero"));
+}
+
 TEST(RigRisk, RefusesRangesThatAreNone) {
     const auto note = [](const std::string&) {};
     for (const char* range : {"noise=1:2", "acceleration", "impulse_rate=5:1", "impulse_rate=0:1"})
-        EXPECT_EQ(thrown_by([&] { rig_risk({}, {{}, {}, {}, {range}}, note); }).kind, ErrorKind::input) << range;
+        EXPECT_EQ(thrown_by([&] { rig_risk({}, {range}, note); }).kind, ErrorKind::input) << range;
 }
 
 TEST(NamedSound, IsACaseACellOrARecording) {

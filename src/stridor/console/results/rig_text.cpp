@@ -34,7 +34,8 @@ std::string value_text(const analysis::FittedNumber& number) {
 }
 
 // "0.0195 to 0.0213"
-std::string interval_text(const analysis::FittedNumber& number) {
+template <typename Number>
+std::string interval_text(const Number& number) {
     return std::isfinite(number.to) ? fmt::format("{:.4g} to {:.4g}", number.from, number.to)
                                     : fmt::format("{:.4g} or more", number.from);
 }
@@ -159,6 +160,9 @@ std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law)
             text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
         text += "\n";
     }
+    if (fit.slips > 0)
+        text += fmt::format("{} through the model of the rig, as good as {:.0f} independent samples\n",
+                            counted(fit.slips, "slip", "slips"), fit.independent);
     TextTable table{{left("law"), right("deviation"), right("difference"), left("  numbers")}};
     table.heading = Style::bold;
     for (const analysis::FittedLaw& each : fit.laws) {
@@ -184,6 +188,9 @@ std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law)
         for (const analysis::FittedNumber& number : asked.numbers)
             text += fmt::format("  {:<18} {}\n", value_text(number), interval_text(number));
     }
+    for (const analysis::RigNumber& number : asked.rig)
+        text += fmt::format("  {:<18} {}\n", fmt::format("{} {:.4g} {}", number.symbol, number.value, number.unit),
+                            interval_text(number));
     return text + "\n" + analysis::words_of(fit) + "\n";
 }
 

@@ -26,6 +26,8 @@ using analysis::FittedLaw;
 using analysis::FittedNumber;
 using base::Json;
 
+constexpr std::string_view to_be_fitted = "fit";  // in the place of a number of the rig
+
 constexpr auto number_members = std::to_array<Member<FittedNumber>>({
     {{"key"}, [](const FittedNumber& number) -> Json { return parameters::key_of(*number.field); }},
     {{"symbol"}, [](const FittedNumber& number) -> Json { return number.field->symbol; }},
@@ -35,9 +37,19 @@ constexpr auto number_members = std::to_array<Member<FittedNumber>>({
     {{"to"}, &FittedNumber::to},
 });
 
+constexpr auto rig_members = std::to_array<Member<analysis::RigNumber>>({
+    {{"name"}, [](const analysis::RigNumber& number) -> Json { return number.name; }},
+    {{"symbol"}, [](const analysis::RigNumber& number) -> Json { return number.symbol; }},
+    {{"unit"}, [](const analysis::RigNumber& number) -> Json { return number.unit; }},
+    {{"value"}, &analysis::RigNumber::value},
+    {{"from"}, &analysis::RigNumber::from},
+    {{"to"}, &analysis::RigNumber::to},
+});
+
 constexpr auto law_members = std::to_array<Member<FittedLaw>>({
     {{"law"}, [](const FittedLaw& law) -> Json { return analysis::fitted_names[law.kind]; }},
     {{"numbers"}, [](const FittedLaw& law) { return objects_of(number_members, law.numbers); }},
+    {{"rig"}, [](const FittedLaw& law) { return objects_of(rig_members, law.rig); }},
     {{"free_numbers"}, [](const FittedLaw& law) -> Json { return law.free_numbers; }},
     {{"deviation", "1"}, &FittedLaw::deviation},
     {{"criterion", "1"}, &FittedLaw::criterion},
@@ -98,8 +110,23 @@ std::vector<FrictionTexts> texts_of_files(const FrictionFitTexts& texts) {
     return each;
 }
 
+std::optional<analysis::MeasuringRig> measuring_rig(const FrictionFitTexts& texts) {
+    if (texts.mass.empty() && texts.stiffness.empty()) return std::nullopt;
+    if (texts.mass.empty() || texts.stiffness.empty())
+        base::refuse("the rig's " + std::string(texts.mass.empty() ? "mass" : "stiffness") + " is missing",
+                     "its slips need both", "Give --mass and --stiffness; fit in the place of a value fits it.");
+    analysis::MeasuringRig rig;
+    if (texts.mass != to_be_fitted) rig.mass = base::parse_quantity(texts.mass, "kg");
+    if (texts.stiffness != to_be_fitted) rig.stiffness = base::parse_quantity(texts.stiffness, "N/m");
+    if (!texts.damping.empty()) rig.damping = base::parse_quantity(texts.damping, "N*s/m");
+    if (rig.mass <= 0.0 || rig.stiffness <= 0.0 || rig.damping < 0.0)
+        base::refuse("the rig's mass and stiffness must be above zero, its damping not below", "", "");
+    return rig;
+}
+
 FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note) {
     const analysis::FrictionTraceOptions options = trace_options(texts.shared);
+    const std::optional<analysis::MeasuringRig> rig = measuring_rig(texts);
     FittedFriction fitted;
     analysis::FrictionPoints points;
     for (const FrictionTexts& each : texts_of_files(texts)) {
@@ -113,7 +140,7 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
     }
     for (const std::string& each : points.notes)
         note(each);
-    fitted.fit = analysis::friction_fit(std::move(points));
+    fitted.fit = analysis::friction_fit(std::move(points), rig);
     return fitted;
 }
 
@@ -134,6 +161,7 @@ std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
     document["asked"] = analysis::fitted_names[fit.laws[law].kind];
     document["independent"] = fit.independent;
     document["speeds"] = fit.speeds;
+    document["slips"] = fit.slips;
     Json& points = document["points"] = Json::array();
     for (std::size_t k = 0; k < fit.data.points.size(); ++k) {
         const analysis::FrictionPoint& point = fit.data.points[k];

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace stridor::io {
 struct FrictionFitTexts {
     std::vector<std::string> files{};
     FrictionTexts shared{};  // its preload and velocity: one for all files, or as many as files, between commas
+    std::string mass{};      // of the rig, "fit" where it is to be fitted; empty: not known
+    std::string stiffness{};
+    std::string damping{};
 };
 
 /// Laws fitted to recordings, and what these were measured with.
@@ -26,6 +30,10 @@ struct FittedFriction {
 /// Returns the texts of each file, with its own preload and velocity. Throws `Error` (input) for lists of another
 /// length.
 std::vector<FrictionTexts> texts_of_files(const FrictionFitTexts& texts);
+
+/// Returns the rig that measured; nothing where neither mass nor stiffness is said. Throws `Error` (input) where one of
+/// them is missing or not above zero.
+std::optional<analysis::MeasuringRig> measuring_rig(const FrictionFitTexts& texts);
 
 /// Reads recordings and fits each law of friction; `note` is told what is noteworthy. Throws `Error` (input), with the
 /// file as its place, for what reading and fitting refuse.

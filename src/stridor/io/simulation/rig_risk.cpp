@@ -63,15 +63,15 @@ std::string model_category(const parameters::Case& c) {
 
 }  // namespace
 
-RigRisk rig_risk(const FrictionFitTexts& texts, const RiskTexts& rig,
+RigRisk rig_risk(const FrictionFitTexts& texts, const std::vector<std::string>& ranges,
                  const std::function<void(const std::string&)>& note) {
     RigRisk risk;
-    for (const std::string& range : rig.ranges)
+    for (const std::string& range : ranges)
         set_scale(risk.scales, range);
     analysis::RiskRig numbers;
-    if (!rig.mass.empty()) numbers.mass = base::parse_quantity(rig.mass, "kg");
-    if (!rig.stiffness.empty()) numbers.stiffness = base::parse_quantity(rig.stiffness, "N/m");
-    const double damping = rig.damping.empty() ? 0.0 : base::parse_quantity(rig.damping, "N*s/m");
+    if (!texts.mass.empty()) numbers.mass = base::parse_quantity(texts.mass, "kg");
+    if (!texts.stiffness.empty()) numbers.stiffness = base::parse_quantity(texts.stiffness, "N/m");
+    const double damping = texts.damping.empty() ? 0.0 : base::parse_quantity(texts.damping, "N*s/m");
     if (numbers.mass <= 0.0 || numbers.stiffness <= 0.0 || damping < 0.0)
         base::refuse("the rig's mass and stiffness must be above zero, its damping not below", "", "");
     for (const FrictionTexts& each : texts_of_files(texts)) {

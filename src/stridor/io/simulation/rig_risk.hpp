@@ -10,14 +10,6 @@
 /// The risk number of a rig's runs, beside the verdict that the model gives on them.
 namespace stridor::io {
 
-/// What is known of the rig, as a command line says it; empty: not known.
-struct RiskTexts {
-    std::string mass{};
-    std::string stiffness{};
-    std::string damping{};
-    std::vector<std::string> ranges{};  // "acceleration=0.1:10 m/s^2"
-};
-
 /// One run.
 struct RunRisk {
     FrictionTest test{};
@@ -33,12 +25,12 @@ struct RigRisk {
     int number = 1;  // of the worst run
 };
 
-/// Reads recordings and ranks each; `note` is told what is noteworthy.
+/// Reads recordings and ranks each, where a range is "acceleration=0.1:10 m/s^2"; `note` is told what is noteworthy.
 ///
 /// Where mass, stiffness and velocity are known, the model's slider on this spring is dragged at the run's preload and
 /// velocity with its two coefficients for ten seconds, and judged by its contact states. Throws `Error` (input) for a
 /// range of no figure, a range that does not rise, and what reading and measuring throw.
-RigRisk rig_risk(const FrictionFitTexts& texts, const RiskTexts& rig,
+RigRisk rig_risk(const FrictionFitTexts& texts, const std::vector<std::string>& ranges,
                  const std::function<void(const std::string&)>& note);
 
 /// "stridor.friction-risk/1": figures, ranks and number of each run, the scales, the model's category.
