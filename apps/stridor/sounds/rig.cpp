@@ -66,16 +66,17 @@ void friction(const FrictionOptions& options) {
         console::print(options.json ? io::rig_risk_json(risk) + "\n" : console::risk_text(risk));
         return;
     }
+    if (!options.pair.name.empty()) {
+        console::print_data(io::pair_rows(options.texts, options.pair, console::say_note));
+        return;
+    }
     if (options.texts.files.size() > 1)
         base::refuse("there are " + std::to_string(options.texts.files.size()) + " files",
-                     "one is read at a time, but for a fit or a risk number", "Add --fit best or --risk?");
+                     "one is read at a time, but for a fit, a risk number or rows of a pair",
+                     "Add --fit best, --risk or --pair NAME?");
     const io::MeasuredFriction measured =
         io::measured_friction(io::texts_of_files(options.texts).front(), console::say_note);
     const analysis::FrictionTrace& trace = measured.trace;
-    if (!options.pair.name.empty()) {
-        console::print_data(io::pair_row(measured, options.pair));
-        return;
-    }
     if (!options.into.empty()) {
         console::print_data(io::case_with_friction(io::read_case(load_source(options.into)), measured));
         console::say(fmt::format("static {}, kinetic {}", console::coefficient_text(trace.all.static_friction),
@@ -181,14 +182,14 @@ void add_rig_friction(CLI::App& rig) {
         ->type_name("STIFFNESS");
     command->add_option("--damping", options->texts.damping, "of the rig (default: none)")->type_name("DAMPING");
     CLI::Option* pair =
-        command->add_option("--pair", options->pair.name, "print the coefficients as a row of pairs.toml, of this pair")
+        command->add_option("--pair", options->pair.name, "print the coefficients as rows of pairs.toml, of this pair")
             ->type_name("NAME")
             ->excludes(fit)
             ->excludes(risk);
-    command->add_option("--temperature", options->pair.temperature, "of the test, for the row")
+    command->add_option("--temperature", options->pair.temperature, "of the test, for the row; of several files a list")
         ->type_name("TEMPERATURE")
         ->needs(pair);
-    command->add_option("--humidity", options->pair.humidity, "of the test, for the row")
+    command->add_option("--humidity", options->pair.humidity, "of the test, for the row; of several files a list")
         ->type_name("HUMIDITY")
         ->needs(pair);
     CLI::Option* into =

@@ -15,10 +15,12 @@
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace stridor::io {
 namespace {
@@ -261,6 +263,28 @@ TEST(MeasuringRig, NeedsMassAndStiffness) {
     EXPECT_TRUE(std::isnan(measuring_rig(texts)->mass));
     texts.mass = "-1 kg";
     EXPECT_TRUE(thrown_by([&] { measuring_rig(texts); }).says("must be above zero"));
+}
+
+TEST(PairRows, AreOneForEachConditionOfTheRuns) {
+    const support::ScratchFolder folder;
+    const auto run = [&](const char* name, double friction) {
+        std::string text = "time,friction\ns,N\n";
+        for (int k = 0; k < 400; ++k)
+            text += fmt::format("{:.3f},{:.4f}\n", 1e-3 * k, friction + 0.02 * std::sin(static_cast<double>(k * k)));
+        storage::write_file((folder / name).string(), text);
+        return (folder / name).string();
+    };
+    FrictionFitTexts texts;
+    texts.files = {run("cold.csv", 5.0), run("warm-slow.csv", 4.0), run("warm-fast.csv", 3.0)};
+    texts.shared.preload = "10 N";
+    texts.shared.velocity = "4 mm/s, 1 mm/s, 4 mm/s";
+    const auto note = [](const std::string&) {};
+    const std::string rows = pair_rows(texts, {"seal", "23 degC, 60 degC, 60 degC", {}}, note);
+    EXPECT_NE(rows.find("temperature = \"23 degC\"\nload = \"10 N\"\nstatic_friction = 0.5"), std::string::npos);
+    // two runs at one temperature have one row
+    EXPECT_NE(rows.find("temperature = \"60 degC\"\nload = \"10 N\"\nstatic_friction = 0.35"), std::string::npos);
+    EXPECT_EQ(rows.find("[[pair]]", rows.find("[[pair]]", 1) + 1), std::string::npos);
+    EXPECT_TRUE(thrown_by([&] { pair_rows(texts, {"seal", "1 degC, 2 degC", {}}, note); }).says("--temperature has 2"));
 }
 
 TEST(RigRisk, RefusesRangesThatAreNone) {

@@ -90,6 +90,38 @@ auto at_file(const std::string& file, Function function) {
     }
 }
 
+// two quantities as they are written; nothing is known of both or of none
+bool is_same(const std::string& a, const std::string& b, std::string_view unit) {
+    if (a.empty() || b.empty()) return a == b;
+    return a == b || base::parse_quantity(a, unit) == base::parse_quantity(b, unit);
+}
+
+// what one run shows, or Coulomb's numbers of several at one condition
+MeasuredFriction friction_of_group(const FrictionFitTexts& texts, const std::vector<FrictionTexts>& each,
+                                   const std::vector<std::size_t>& group,
+                                   const std::function<void(const std::string&)>& note) {
+    if (group.size() == 1)
+        return at_file(each[group.front()].file, [&] { return measured_friction(each[group.front()], note); });
+    FrictionFitTexts some = texts;
+    some.files.clear();
+    some.shared.preload = some.shared.velocity = "";
+    for (const std::size_t k : group) {
+        some.files.push_back(each[k].file);
+        some.shared.preload += (some.shared.preload.empty() ? "" : ", ") + each[k].preload;
+        some.shared.velocity += (k == group.front() ? "" : ", ") + each[k].velocity;
+    }
+    const FittedFriction fitted = fitted_friction(some, note);
+    const parameters::Contact& contact = fitted.fit.laws[analysis::law_called(fitted.fit, "coulomb")].contact;
+    MeasuredFriction measured;
+    measured.test = fitted.tests.front();
+    for (std::size_t k = 1; k < fitted.tests.size(); ++k)
+        measured.test.file += ", " + fitted.tests[k].file;
+    if (contact.static_friction > contact.kinetic_friction)
+        measured.trace.all.static_friction.value = contact.static_friction;
+    measured.trace.all.kinetic_friction.value = contact.kinetic_friction;
+    return measured;
+}
+
 Json names_of(const analysis::FrictionFit& fit, const std::vector<std::size_t>& laws) {
     return json_parts::array_of(laws,
                                 [&](std::size_t law) -> Json { return analysis::fitted_names[fit.laws[law].kind]; });
@@ -142,6 +174,34 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
         note(each);
     fitted.fit = analysis::friction_fit(std::move(points), rig);
     return fitted;
+}
+
+std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
+                      const std::function<void(const std::string&)>& note) {
+    const std::size_t files = texts.files.size();
+    const std::vector<FrictionTexts> each = texts_of_files(texts);
+    const std::vector<std::string> temperatures = listed_texts(conditions.temperature, files, "--temperature");
+    const std::vector<std::string> humidities = listed_texts(conditions.humidity, files, "--humidity");
+    // the places of the runs at each condition, in the order of the files
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < files; ++k) {
+        const auto is_alike = [&](const std::vector<std::size_t>& group) {
+            const std::size_t other = group.front();
+            return is_same(temperatures[k], temperatures[other], "degC") &&
+                   is_same(humidities[k], humidities[other], "%") && is_same(each[k].preload, each[other].preload, "N");
+        };
+        const auto found = std::find_if(groups.begin(), groups.end(), is_alike);
+        if (found == groups.end())
+            groups.push_back({k});
+        else
+            found->push_back(k);
+    }
+    std::string rows;
+    for (const std::vector<std::size_t>& group : groups) {
+        const PairConditions here{conditions.name, temperatures[group.front()], humidities[group.front()]};
+        rows += (rows.empty() ? "" : "\n") + pair_row(friction_of_group(texts, each, group, note), here);
+    }
+    return rows;
 }
 
 std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {

@@ -39,6 +39,12 @@ std::optional<analysis::MeasuringRig> measuring_rig(const FrictionFitTexts& text
 /// file as its place, for what reading and fitting refuse.
 FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note);
 
+/// Returns a row [[pair]] for each condition that the runs were made at: their temperature, humidity and load. Those of
+/// `conditions` are one for all files, or as many as files, between commas. A row of one run has what it shows; one of
+/// several has Coulomb's numbers fitted to them. Throws `Error` (input) as `pair_row` and `fitted_friction` do.
+std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
+                      const std::function<void(const std::string&)>& note);
+
 /// "stridor.friction-fit/1": runs, laws with their numbers and intervals, what the data bear, the points; `law` is the
 /// place of the law that was asked for.
 std::string friction_fit_json(const FittedFriction& fitted, std::size_t law);
