@@ -5,6 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/contact_state.hpp"
+#include "stridor/model/cubic_spring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +135,8 @@ SteadySliding steady_sliding(const model::Structure& structure, parameters::Dire
     std::vector<model::ContactState> states(structure.contacts.size(), model::ContactState::separation);
     for (const std::size_t number : found.closed)
         states[number] = model::ContactState::slip;
-    model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
+    model::SlidingMotion motion =
+        model::sliding_motion(model::linearised_at(structure, found.equilibrium.displacement), states, ratios);
     add_slopes(motion, structure, states, velocity, found.equilibrium.normal_forces);
     if (!has_inertia(motion))
         base::refuse("the stability of steady sliding needs inertia",

@@ -1,15 +1,25 @@
 #include "stridor/model/equilibrium.hpp"
 
+#include "stridor/model/cubic_spring.hpp"
 #include "stridor/model/sized_structure.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace stridor::model {
 
-Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios) {
+namespace {
+
+// each takes a third of the way where a spring that stiffens was stretched far too long
+constexpr int most_newton_steps = 128;
+constexpr double newton_rounding = 1e-14;  // [1] of the displacement
+constexpr double newton_end = 1e-10;       // [1] likewise: what has come no closer has come to no end
+
+Equilibrium linear_equilibrium(const Structure& structure, const std::vector<double>& ratios) {
     const Eigen::Index dofs = dofs_of(structure);
     const auto contacts = static_cast<Eigen::Index>(structure.contacts.size());
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(dofs + contacts, dofs + contacts);
@@ -33,6 +43,24 @@ Equilibrium equilibrium(const Structure& structure, const std::vector<double>& r
             return found;
         });
     return {solution.head(dofs), solution.tail(contacts)};
+}
+
+}  // namespace
+
+Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios) {
+    if (structure.springs.empty()) return linear_equilibrium(structure, ratios);
+    Equilibrium found{Eigen::VectorXd::Zero(dofs_of(structure)), {}};
+    double change = std::numeric_limits<double>::infinity(), size = 0.0;
+    for (int step = 0; step < most_newton_steps && !(change <= newton_rounding * size); ++step) {
+        Equilibrium next = linear_equilibrium(linearised_at(structure, found.displacement), ratios);
+        change = (next.displacement - found.displacement).norm();
+        size = next.displacement.norm();
+        found = std::move(next);
+    }
+    if (change <= newton_end * size) return found;
+    found.displacement.setConstant(std::numeric_limits<double>::quiet_NaN());
+    found.normal_forces.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return found;
 }
 
 namespace {

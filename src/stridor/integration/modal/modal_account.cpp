@@ -10,6 +10,10 @@ double stored_energy(const ModalStructure& structure, std::span<const double> q,
     double energy = 0.0;
     for (std::size_t j = 0; j < structure.modes(); ++j)
         energy += 0.5 * v[j] * v[j] + 0.5 * structure.square_frequency[j] * q[j] * q[j];
+    for (const ModalSpring& spring : structure.springs) {
+        const double e = dot(spring.row, q);
+        energy += 0.25 * spring.cubic * (e * e) * (e * e);
+    }
     return energy;
 }
 
@@ -41,6 +45,10 @@ EnergyBalance closed_balance(EnergyBalance balance, const ModalStructure& struct
         balance.preload_work += structure.load[j] * (q[j] - travel.initial_q[j]);
         balance.held += 0.5 * std::abs(structure.square_frequency[j]) * most_q * most_q + 0.5 * most_v * most_v +
                         std::abs(structure.load[j]) * most_q;
+    }
+    for (const ModalSpring& spring : structure.springs) {
+        const double e = dot_of_sizes(spring.row, travel.most_q);
+        balance.held += 0.25 * std::abs(spring.cubic) * (e * e) * (e * e);
     }
     if (structure.fastest > 0.0)
         balance.carried = dot(structure.load, structure.load) / (structure.fastest * structure.fastest);

@@ -138,6 +138,8 @@ ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd
         modal.contacts.push_back(modal_contact(structure.contacts[k], modal.shapes));
         modal.number.push_back(k);
     }
+    for (const model::CubicSpring& spring : structure.springs)
+        modal.springs.push_back({numbers_of(modal.shapes.transpose() * spring.direction), spring.cubic});
     modal.compliance = compliance_of(modal.contacts, modal.modes());
     const double square = std::max(std::abs(modal.square_frequency.front()), modal.square_frequency.back());
     modal.fastest = 1.1 * std::sqrt(square) + damping.cwiseAbs().rowwise().sum().maxCoeff();

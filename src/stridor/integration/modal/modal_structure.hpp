@@ -23,6 +23,12 @@ struct ModalContact {
     double creep_speed = 0.0;              // [m/s] below which a slip counts as a stick; 0: never
 };
 
+/// A cubic spring as the modes of its structure see it.
+struct ModalSpring {
+    std::vector<double> row;  // [1/√kg] of its elongation, shape [mode]
+    double cubic = 0.0;       // [N/m³]
+};
+
 /// Where normals and tangents of contacts stand in one list of rows: n0, t0, n1, t1, ...; a second tangent stands
 /// behind the first.
 struct ContactRowPlan {
@@ -52,7 +58,7 @@ double slip_velocity(const ModalContact& contact, std::span<const double> v, dou
 
 /// A structure in the coordinates of its free eigenmodes, u = Φ q with Φ'M Φ = 1 and Φ'K Φ = diag(ω²):
 ///
-///     q'' = f - ω² q - C q' + Σ (n N + t T)
+///     q'' = f - ω² q - C q' - Σ d k3 (d.q)³ + Σ (n N + t T)
 ///
 /// Its contacts stand in an order of their own, by their rows, so that results do not depend on how a user numbers
 /// them.
@@ -63,9 +69,10 @@ struct ModalStructure {
     std::vector<double> damping;           // [1/s] C, shape [mode] if it is diagonal, else [mode][mode]
     std::vector<double> load;              // [N/√kg] f, shape [mode]
     std::vector<ModalContact> contacts;
+    std::vector<ModalSpring> springs;
     std::vector<std::size_t> number;  // of each contact in the structure's list
     Eigen::MatrixXd compliance;       // [1/kg] W, rows and columns n0, t0, n1, t1, ...
-    double fastest = 0.0;             // [1/s] bound of the rates of its free motion
+    double fastest = 0.0;             // [1/s] bound of the rates of its free motion without cubic springs
 
     std::size_t modes() const { return square_frequency.size(); }
     bool is_damped_by_mode() const { return damping.size() == modes(); }

@@ -131,6 +131,8 @@ bool has_slopes(const model::Structure& structure) {
 // nothing where sliding lasts
 std::optional<Growing> growing_near(const model::Structure& structure, const std::vector<ContactState>& states,
                                     const record::Tally& tally, double surface_velocity) {
+    // small disturbances of what the springs are at rest tell nothing of a motion that is not small
+    if (!structure.springs.empty()) return std::nullopt;
     const std::vector<double> ratios = model::sliding_ratios(structure, surface_velocity);
     model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
     if (motion.held.cols() > motion.held.rows() || !has_inertia(motion)) return std::nullopt;

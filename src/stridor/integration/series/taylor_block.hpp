@@ -44,6 +44,9 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 /// when N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series
 /// then ends where that of the ratio does: the block is shortened until its last terms are rounding.
 ///
+/// A cubic spring pushes with k3 e³ along its direction: each coefficient follows from e_0..e_m, that is from q_0..q_m,
+/// and joins a_m. Such a series ends where its last terms are rounding, too.
+///
 /// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.
 class TaylorBlock {
 public:
@@ -140,6 +143,12 @@ private:
         BlockSeries known{};           // [N] of T, without what the normal force of the same power adds
     };
 
+    // elongation of a cubic spring along the block
+    struct Stretching {
+        BlockSeries elongation{};  // [m]
+        BlockSeries square{};      // [m²] its square
+    };
+
     Rows prepare(const ContactSet& set) const;
     Rows listed(const ContactSet& set) const;
     Eigen::MatrixXd products(const ContactSet& set, const Rows& rows) const;
@@ -157,6 +166,7 @@ private:
     Eigen::MatrixXd inverted(const ContactSet& set, Rows& rows) const;
     void expand_rubbing();
     void begin_rubbing();
+    void stretch(std::size_t m, Lanes* acceleration);
     void rub(std::size_t m, Lanes* acceleration);
     double reached_share() const;
     void shorten(double share);
@@ -176,6 +186,7 @@ private:
     Rows at_ratios_{};                 // the same with the ratios of the block's beginning
     const Rows* rows_ = nullptr;
     std::vector<Rubbing> rubbing_{};
+    std::vector<Stretching> stretching_;          // shape [spring]
     std::vector<double> friction_states_;         // at the block's beginning, shape [contact]
     std::vector<Lanes> square_, damping_, load_;  // those of the structure
     std::vector<Lanes> q_, v_, force_;            // shapes [order + 2][mode], [order + 1][row]

@@ -18,6 +18,7 @@ constexpr long blocks_before_proof = 16;
 
 // is the motion linear as long as no contact changes? Else a set is not proven to last
 bool TaylorRun::is_linear() const {
+    if (!structure_.springs.empty()) return false;
     for (std::size_t k = 0; k < state_.set.size(); ++k)
         if (is_slip(state_.set[k]) && !is_state_wise(structure_.contacts[k].friction)) return false;
     return true;
@@ -72,6 +73,11 @@ double TaylorRun::distance(const Event& a, const Event& b) const {
         difference +=
             std::sqrt(std::abs(structure_.square_frequency[j])) * std::abs(a.q[j] - b.q[j]) + std::abs(a.v[j] - b.v[j]);
         scale += std::abs(a.v[j]);
+    }
+    for (const ModalSpring& spring : structure_.springs) {
+        const double from = dot(spring.row, a.q), to = dot(spring.row, b.q);
+        difference +=
+            std::sqrt(3.0 * std::abs(spring.cubic)) * std::max(std::abs(from), std::abs(to)) * std::abs(from - to);
     }
     // a limit that still grows is no return: it only rises, but what it ends may come later
     for (std::size_t k = 0; k < a.grown.size(); ++k)

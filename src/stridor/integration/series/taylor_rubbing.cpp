@@ -1,4 +1,5 @@
-// Blocks in which contacts slip whose ratio T/N changes with the slip velocity (taylor_block.hpp).
+// Blocks with cubic springs, and those in which contacts slip whose ratio T/N changes with the slip velocity
+// (taylor_block.hpp).
 
 #include "stridor/integration/rules/contact_mode_of.hpp"
 #include "stridor/integration/series/event_polynomial.hpp"
@@ -25,6 +26,11 @@ double product_without_first(const BlockSeries& a, const BlockSeries& b, std::si
     for (std::size_t j = 1; j <= m; ++j)
         sum += a[j] * b[m - j];
     return sum;
+}
+
+// sum of a_j b_(m-j), j = 0..m
+double product(const BlockSeries& a, const BlockSeries& b, std::size_t m) {
+    return a[0] * b[m] + product_without_first(a, b, m);
 }
 
 // c_m share^m
@@ -60,6 +66,7 @@ void TaylorBlock::begin_rubbing() {
         slip.state[0] = slip.jet.state();
         rubbing_.push_back(slip);
     }
+    if (rubbing_.empty()) return;
     at_ratios_ = *chosen_;
     for (const Rubbing& slip : rubbing_) {
         const ModalContact& contact = structure_.contacts[slip.contact];
@@ -77,6 +84,20 @@ void TaylorBlock::begin_rubbing() {
     const Eigen::MatrixXd& W = structure_.compliance;
     number_in(at_ratios_.inverse.data(), 0) =
         1.0 / (W(normal, normal) + rubbing_.front().ratio[0] * W(normal, normal + 1));
+}
+
+// what the springs push in this coefficient
+void TaylorBlock::stretch(std::size_t m, Lanes* acceleration) {
+    const std::span<const double> q = coefficient(q_, static_cast<int>(m));
+    for (std::size_t k = 0; k < stretching_.size(); ++k) {
+        const ModalSpring& spring = structure_.springs[k];
+        Stretching& at = stretching_[k];
+        at.elongation[m] = dot(spring.row, q);
+        at.square[m] = product(at.elongation, at.elongation, m);
+        const double force = spring.cubic * product(at.square, at.elongation, m);
+        for (std::size_t j = 0; j < modes_; ++j)
+            number_in(acceleration, j) -= force * spring.row[j];
+    }
 }
 
 // what lower coefficients make of friction in this one
@@ -169,6 +190,7 @@ void TaylorBlock::expand_rubbing() {
         begin_rubbing();
         SeriesProblem rubbed = problem();
         rubbed.rub = [](void* block, std::size_t m, Lanes* acceleration) {
+            static_cast<TaylorBlock*>(block)->stretch(m, acceleration);
             static_cast<TaylorBlock*>(block)->rub(m, acceleration);
         };
         rubbed.friction = this;

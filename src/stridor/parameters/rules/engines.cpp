@@ -86,6 +86,11 @@ const Lack lacks[] = {
      "knows no friction with a state of the contact",
      "its steps know contacts that stick, and these creep",
      "Set run.engine = \"exact\"."},
+    {{Demand::cubic_springs},
+     {Method::exact, Method::moreau, Method::massless, Method::beta_2},
+     "knows linear springs only",
+     "what it solves between events, or in a step, is linear",
+     "Use the Taylor engine."},
     {{Demand::massless_rows},
      {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
      "needs mass in each row",
@@ -210,6 +215,7 @@ DemandKeys keys_of(Demand demand) {
         case Demand::own_structure:
         case Demand::any_size:
         case Demand::two_tangents:
+        case Demand::cubic_springs:
             break;
     }
     return {"run.engine"};

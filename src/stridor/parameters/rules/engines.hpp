@@ -32,10 +32,11 @@ enum class Demand {
     unexpanded_friction,  // such a law without a power series along the motion
     growing_friction,     // static friction that grows with rest
     friction_state,       // such a law with a state of the contact
+    cubic_springs,        // beside a stiffness matrix
     massless_rows,        // rows without mass
     joint,                // the mass of a joint stands at its contact
 };
-inline constexpr std::array<std::string_view, 13> demand_names{
+inline constexpr std::array<std::string_view, 14> demand_names{
     "several contacts",
     "a structure of one's own",
     "any number of degrees of freedom",
@@ -47,6 +48,7 @@ inline constexpr std::array<std::string_view, 13> demand_names{
     "friction without a power series",
     "static friction that grows with rest",
     "friction with a state of the contact",
+    "cubic springs",
     "rows without mass",
     "the joint on a plate",
 };
