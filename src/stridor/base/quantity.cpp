@@ -56,7 +56,8 @@ constexpr std::array symbols{
     Symbol{"ft", {{0, 1, 0, 0}, 0.3048}, false},
     Symbol{"degC", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
     Symbol{"°C", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
-    Symbol{"K", {{0, 0, 0, 0, 0, 1}, 1.0}, false},  // of a rise: by itself it is none (`try_unit`)
+    // of a rise: by itself it is none (`try_unit`)
+    Symbol{"K", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
 };
 
 constexpr std::array prefixes{
