@@ -66,7 +66,7 @@ void add_way(drawing::Panel& panel, const sweep::Following& following, const swe
         line.x.push_back(run.value);
         line.y.push_back(value);
         if (run.way != way) continue;
-        drawing::Points& points = marks[sweep::word({cell.status, cell.category, cell.quiet})];
+        drawing::Points& points = marks[sweep::word(cell)];
         points.x.push_back(run.value);
         points.y.push_back(value);
         points.colour = category_fill(cell.category).colour;

@@ -56,7 +56,7 @@ void add_strokes(drawing::Panel& panel, const StrokeHistory& history, const Slow
         line.x.push_back(static_cast<double>(stroke.number));
         line.y.push_back(stroke.*quantity.value);
         if (cell.status != sweep::Status::done) continue;
-        drawing::Points& points = marks[sweep::word({cell.status, cell.category, cell.quiet})];
+        drawing::Points& points = marks[sweep::word(cell)];
         points.x.push_back(line.x.back());
         points.y.push_back(line.y.back());
         points.colour = category_fill(cell.category).colour;
@@ -74,8 +74,7 @@ std::vector<drawing::LegendEntry> legend_of(const StrokeHistory& history) {
     for (const ComputedStroke& stroke : history.strokes)
         for (const sweep::Cell& cell : stroke.cells)
             if (cell.status == sweep::Status::done)
-                words[sweep::word({cell.status, cell.category, cell.quiet})].colour =
-                    category_fill(cell.category).colour;
+                words[sweep::word(cell)].colour = category_fill(cell.category).colour;
     std::vector<drawing::LegendEntry> legend;
     for (auto& [word, points] : words) {
         points.diameter = stroke_mark_size;

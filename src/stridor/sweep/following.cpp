@@ -106,8 +106,7 @@ std::vector<double> hysteresis(const Following& following, std::size_t direction
     for (std::size_t k = 0; k + 1 < points; ++k) {
         const Cell& up = following.runs[k].cells[direction];
         const Cell& down = following.runs[2 * points - 2 - k].cells[direction];
-        const auto verdict = [](const Cell& cell) { return StartVerdict{cell.status, cell.category, cell.quiet}; };
-        if (!(verdict(up) == verdict(down))) values.push_back(following.runs[k].value);
+        if (!has_same_verdict(up, down)) values.push_back(following.runs[k].value);
     }
     return values;
 }

@@ -34,6 +34,10 @@ int rank(const StartVerdict& verdict) {
     return verdict.status == Status::done ? no_result + classification::loudness(verdict.category) : no_result;
 }
 
+StartVerdict verdict_of_run(const Cell& cell) {
+    return {cell.status, cell.category, cell.quiet};
+}
+
 }  // namespace
 
 std::span<const std::string_view> start_names() {
@@ -57,6 +61,14 @@ StartVerdict verdict_of(std::size_t number) {
 
 std::string_view word(const StartVerdict& verdict) {
     return verdict_words[number_of(verdict)];
+}
+
+std::string_view word(const Cell& cell) {
+    return word(verdict_of_run(cell));
+}
+
+bool has_same_verdict(const Cell& a, const Cell& b) {
+    return verdict_of_run(a) == verdict_of_run(b);
 }
 
 std::size_t worst(std::span<const StartVerdict> verdicts) {

@@ -40,6 +40,12 @@ StartVerdict verdict_of(std::size_t number);
 /// Returns "squeal", "locks", or the status if there is no category: "failed".
 std::string_view word(const StartVerdict& verdict);
 
+/// Returns the same of a cell's run.
+std::string_view word(const Cell& cell);
+
+/// Do the runs of two cells have the same verdict?
+bool has_same_verdict(const Cell& a, const Cell& b);
+
 /// Returns the place of the first of the worst verdicts.
 std::size_t worst(std::span<const StartVerdict> verdicts);
 

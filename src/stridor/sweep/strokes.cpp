@@ -108,8 +108,7 @@ std::int64_t longest_step(const SlowState& state, double power, std::int64_t mos
 }
 
 bool have_same_verdicts(const ComputedStroke& a, const ComputedStroke& b) {
-    const auto verdict = [](const Cell& cell) { return StartVerdict{cell.status, cell.category, cell.quiet}; };
-    return std::ranges::equal(a.cells, b.cells, {}, verdict, verdict);
+    return std::ranges::equal(a.cells, b.cells, has_same_verdict);
 }
 
 bool has_result(const ComputedStroke& stroke) {
@@ -252,12 +251,8 @@ StrokeHistory run_strokes(const Case& base, const StrokePlan& plan, const Stroke
 
 std::vector<StrokeStretch> stretches_of(const StrokeHistory& history, std::size_t direction) {
     std::vector<StrokeStretch> stretches;
-    const auto verdict = [&](std::size_t k) {
-        const Cell& cell = history.strokes[k].cells[direction];
-        return StartVerdict{cell.status, cell.category, cell.quiet};
-    };
     for (std::size_t k = 0; k < history.strokes.size(); ++k)
-        if (stretches.empty() || !(verdict(k) == verdict(k - 1)))
+        if (k == 0 || !has_same_verdict(history.strokes[k].cells[direction], history.strokes[k - 1].cells[direction]))
             stretches.push_back({k, k});
         else
             stretches.back().last = k;

@@ -24,8 +24,7 @@ std::string unit_text(const sweep::Following& following) {
 }
 
 std::string_view word_of(const FollowedRun& run, std::size_t direction) {
-    const sweep::Cell& cell = run.cells[direction];
-    return sweep::word({cell.status, cell.category, cell.quiet});
+    return sweep::word(run.cells[direction]);
 }
 
 // runs one after the other with one verdict

@@ -49,8 +49,7 @@ void add_stretches(TextTable& table, const StrokeHistory& history, std::size_t d
         const sweep::Cell& cell = first.cells[direction];
         std::vector<std::string> row{
             std::string(parameters::direction_names[static_cast<std::size_t>(history.directions[direction])]),
-            std::to_string(first.number), std::to_string(last.number),
-            std::string(sweep::word({cell.status, cell.category, cell.quiet})),
+            std::to_string(first.number), std::to_string(last.number), std::string(sweep::word(cell)),
             from_to(first.friction_power, last.friction_power, 1.0)};
         if (history.plan.heating) row.push_back(from_to(first.temperature, last.temperature, 1.0));
         if (history.plan.wear) {

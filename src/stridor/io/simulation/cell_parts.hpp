@@ -19,7 +19,7 @@ namespace stridor::io::cell_parts {
 
 /// Returns the word of a cell's verdict.
 inline std::string_view word_of(const sweep::Cell& cell) {
-    return sweep::word({cell.status, cell.category, cell.quiet});
+    return sweep::word(cell);
 }
 
 /// Returns the name of a direction.
