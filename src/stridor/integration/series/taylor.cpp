@@ -226,26 +226,27 @@ void TaylorRun::move(double theta) {
 }
 
 // what is told of a contact; that of the one whose speed has passed that of creep is turned
-ContactMode TaylorRun::shown_mode(std::size_t contact, double slip_velocity) const {
+ContactMode TaylorRun::shown_mode(std::size_t contact) const {
     const ContactMode mode = state_.set[contact];
-    const double speed = structure_.contacts[contact].creep_speed;
-    if (!(speed > 0.0) || !is_slip(mode)) return mode;
-    const bool creeps = contact == crossed_ ? !is_creeping(contact) : std::abs(slip_velocity) < speed;
+    const ModalContact& c = structure_.contacts[contact];
+    if (!(c.creep_speed > 0.0) || !is_slip(mode)) return mode;
+    const bool creeps =
+        contact == crossed_ ? !is_creeping(contact) : std::abs(slip_velocity(c, state_.v, surface_[0])) < c.creep_speed;
     return creeps ? ContactMode::stick : mode;
 }
 
 // tells the recorder what has changed
 void TaylorRun::tell() {
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        const ContactMode former = std::exchange(told_[k], shown_mode(k));
+        if (contact_of(told_[k]) == contact_of(former) && time_ > 0.0) continue;
+        if (!stuck_since_.empty() && time_ > 0.0) stuck_since_[k] = time_;
         const ModalContact& c = structure_.contacts[k];
         double w = -c.drive_share * surface_[0], rate = 0.0;
         for (std::size_t j = 0; j < c.tangent.size(); ++j) {
             w += c.tangent[j] * state_.v[j];
             rate += c.normal[j] * state_.v[j];
         }
-        const ContactMode former = std::exchange(told_[k], shown_mode(k, w));
-        if (contact_of(told_[k]) == contact_of(former) && time_ > 0.0) continue;
-        if (!stuck_since_.empty() && time_ > 0.0) stuck_since_[k] = time_;
         const record::ContactInterval interval{contact_of(told_[k]), time_, 0.0, w, rate};
         recorder_.enter(structure_.number[k], interval);
         intervals_[k] = interval;

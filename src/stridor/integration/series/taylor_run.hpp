@@ -62,7 +62,7 @@ private:
     double growing_limit(std::size_t contact, std::size_t function, int dropped, double reach) const;
     bool is_creeping(std::size_t contact) const;
     double creep_ends(std::size_t contact, double reach) const;
-    ContactMode shown_mode(std::size_t contact, double slip_velocity) const;
+    ContactMode shown_mode(std::size_t contact) const;
     void let_rest();
     void account(double theta);
     void add_normal_impulse(double theta, Sums& sums) const;
