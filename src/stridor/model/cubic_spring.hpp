@@ -11,12 +11,6 @@ inline double force_of(const CubicSpring& spring, double elongation) {
     return spring.cubic * elongation * elongation * elongation;
 }
 
-/// Returns the energy that the spring holds at an elongation [m], k3 e⁴/4 [J].
-inline double energy_of(const CubicSpring& spring, double elongation) {
-    const double square = elongation * elongation;
-    return 0.25 * spring.cubic * square * square;
-}
-
 /// Returns the linear structure that a structure with cubic springs is next to a displacement u [m], shape [dof]: their
 /// tangent stiffness joins K, and what they push there beyond that joins f0. Without such springs it is the same.
 ///

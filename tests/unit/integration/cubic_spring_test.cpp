@@ -95,8 +95,9 @@ TEST(CubicSpring, OfNoStiffnessLeavesTheEventsOfTheLinearStructure) {
     }
 }
 
-// Duffing's oscillator from rest at A: x = A cn(Omega t | k), Omega² = a + b A², k² = b A²/(2 Omega²). Abramowitz and
-// Stegun (1964), chapter 16. It meets a surface at x = A/2 and stays there, since the springs push it on.
+// Duffing's oscillator from rest at A: x = A cn(Omega t | k), Omega² = a + b A², k² = b A²/(2 Omega²).
+// Source: Abramowitz and Stegun (1964), chapter 16.
+// It meets a surface at x = A/2 and stays there, since the springs push it on.
 TEST(CubicSpring, MeetsASurfaceWhenTheEllipticIntegralSays) {
     for (const double linear : {1.0, 0.1}) {
         for (const double cubic : {0.3, 2.0, 40.0}) {

@@ -44,7 +44,7 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 /// when N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series
 /// then ends where that of the ratio does: the block is shortened until its last terms are rounding.
 ///
-/// A cubic spring pushes with k3 e³ along its direction: each coefficient follows from e_0..e_m, that is from q_0..q_m,
+/// A cubic spring pushes with k3 e³ along its direction. Each coefficient follows from e_0..e_m, so from q_0..q_m,
 /// and joins a_m. Such a series ends where its last terms are rounding, too.
 ///
 /// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.
