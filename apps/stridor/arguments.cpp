@@ -5,9 +5,11 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/parameters/drive.hpp"
 #include "stridor/pictures/picture_files.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/new_file.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -102,6 +104,22 @@ std::string command_of_file(const std::string& word) {
     return "";
 }
 
+std::pair<CLI::Option*, CLI::Option*> sheet_options(CLI::App& command, pictures::Sheet& sheet) {
+    const auto set_title = [&sheet](const std::string& text) { sheet.title = text == "none" ? "" : text; };
+    const auto set_width = [&sheet](const std::string& text) {
+        constexpr double least = 40.0, most = 500.0;  // [mm]
+        sheet.width = 1e3 * base::parse_quantity(text, "m");
+        if (!(*sheet.width >= least && *sheet.width <= most))
+            throw Error(ErrorKind::input, {"--width " + text + " is no width of a picture",
+                                           "it lies outside of 40 mm to 500 mm", "For example \"85 mm\"."});
+    };
+    CLI::Option* title = command.add_option_function<std::string>(
+        "--title", set_title, "another title for the picture; none: it gets none, as journals want it");
+    CLI::Option* width = command.add_option_function<std::string>(
+        "--width", set_width, "width of the picture, \"85 mm\" for a column; letters stay 8 pt");
+    return {title->type_name("TEXT"), width->type_name("LENGTH")};
+}
+
 }  // namespace
 
 std::vector<std::string> arguments_of(int count, char** words) {
@@ -175,24 +193,31 @@ CLI::Validator in_a_folder() {
     return {has_folder, ""};
 }
 
-void add_sheet_options(CLI::App& command, pictures::Sheet& sheet, CLI::Option* figure) {
-    const auto set_title = [&sheet](const std::string& text) { sheet.title = text == "none" ? "" : text; };
-    const auto set_width = [&sheet](const std::string& text) {
-        constexpr double least = 40.0, most = 500.0;  // [mm]
-        sheet.width = 1e3 * base::parse_quantity(text, "m");
-        if (!(*sheet.width >= least && *sheet.width <= most))
-            throw Error(ErrorKind::input, {"--width " + text + " is no width of a picture",
-                                           "it lies outside of 40 mm to 500 mm", "For example \"85 mm\"."});
+CLI::Option* add_figure_option(CLI::App& command, std::string& file, pictures::Sheet& sheet, const std::string& what) {
+    const auto is_picture = [](const std::string& name) -> std::string {
+        drawing::format_of(name);
+        return "";
     };
-    CLI::Option* title = command.add_option_function<std::string>(
-        "--title", set_title, "another title for the picture; none: it gets none, as journals want it");
-    CLI::Option* width = command.add_option_function<std::string>(
-        "--width", set_width, "width of the picture, \"85 mm\" for a column; letters stay 8 pt");
-    title->type_name("TEXT");
-    width->type_name("LENGTH");
-    if (figure == nullptr) return;
+    CLI::Option* figure = command.add_option("--figure", file, what + " to FILE.png, FILE.svg or FILE.pdf")
+                              ->type_name("FILE")
+                              ->check(in_a_folder())
+                              ->check({is_picture, ""});
+    const auto [title, width] = sheet_options(command, sheet);
     title->needs(figure);
     width->needs(figure);
+    return figure;
+}
+
+void add_sheet_options(CLI::App& command, pictures::Sheet& sheet) {
+    sheet_options(command, sheet);
+}
+
+CLI::Option* add_csv_option(CLI::App& command, std::string& file, const std::string& sentence) {
+    const auto is_table = [](const std::string& name) -> std::string {
+        storage::expect_ending("--csv", name, {".csv"});
+        return "";
+    };
+    return command.add_option("--csv", file, sentence)->type_name("FILE")->check(in_a_folder())->check({is_table, ""});
 }
 
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {

@@ -105,13 +105,7 @@ void add_verify(CLI::App& program) {
         command->add_flag("--published", options->is_published,
                           "hold results that others published against those of the case files in cases/published");
     add_json_option(*command, options->json, "stridor.published/1")->needs(published);
-    CLI::Option* figure =
-        command
-            ->add_option("--figure", options->figure, "draw both beside each other to FILE.png, FILE.svg or FILE.pdf")
-            ->type_name("FILE")
-            ->check(in_a_folder())
-            ->needs(published);
-    add_sheet_options(*command, options->sheet, figure);
+    add_figure_option(*command, options->figure, options->sheet, "draw both beside each other")->needs(published);
     command->footer("Takes about a second, with --published some seconds. Exit code 3 if any check fails.");
     command->callback([options] { options->is_published ? verify_published(*options) : verify(); });
 }

@@ -262,6 +262,26 @@ TEST(Usage, AFolderThatIsNotThereIsToldAtOnce) {
     }
 }
 
+// the case is not there: it would be the first to be told if anything were computed
+TEST(Usage, APictureOrTableOfAnotherEndingIsToldAtOnce) {
+    const std::vector<std::vector<std::string>> commands{{"simulate", "none.toml"},
+                                                         {"stability", "none.toml", "--over", "preload=1:2"},
+                                                         {"follow", "none.toml", "--over", "preload=1:2"},
+                                                         {"strokes", "none.toml", "--strokes", "2", "--duration", "1s"},
+                                                         {"analyse", "none.wav"},
+                                                         {"rig", "sensitivity"},
+                                                         {"verify", "--published"}};
+    for (std::vector<std::string> command : commands) {
+        command.insert(command.end(), {"--figure", "motion.gif"});
+        expect_answer(command, "cannot draw into motion.gif");
+    }
+    for (const std::size_t writes_table : {1U, 2U, 3U}) {
+        std::vector<std::string> command = commands[writes_table];
+        command.insert(command.end(), {"--csv", "table.txt"});
+        expect_answer(command, "--csv table.txt has an ending that says nothing");
+    }
+}
+
 TEST(Usage, HelpAndVersionAreWhatOthersHave) {
     EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
     EXPECT_EQ(run({"help", "simulate"}).out, run({"simulate", "--help"}).out);

@@ -9,7 +9,6 @@
 #include "stridor/io/simulation/followed_motion.hpp"
 #include "stridor/pictures/following.hpp"
 #include "stridor/pictures/picture_files.hpp"
-#include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/following.hpp"
 
 #include <CLI/CLI.hpp>
@@ -34,15 +33,12 @@ struct FollowOptions {
 
 sweep::Following followed(const parameters::Case& c, const FollowOptions& options, const Interrupt& interrupt) {
     console::ShareDisplay display("followed:", console::TimeLeft::shown);
-    try {
-        return sweep::follow(c, io::read_scan_range(options.over),
-                             {interrupt.token(), [&](std::size_t done, std::size_t all) {
-                                  display.show(static_cast<double>(done) / static_cast<double>(all));
-                              }});
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::input) throw;
-        throw Error(error.kind(), error.problem(), base::Place{"--over", 0, 0, options.over});
-    }
+    const auto show = [&](std::size_t done, std::size_t all) {
+        display.show(static_cast<double>(done) / static_cast<double>(all));
+    };
+    return at_option("--over", options.over, [&] {
+        return sweep::follow(c, io::read_scan_range(options.over), {interrupt.token(), show});
+    });
 }
 
 const sweep::CellFigure& figure_named(const std::string& name) {
@@ -53,7 +49,6 @@ const sweep::CellFigure& figure_named(const std::string& name) {
 }
 
 void follow(const FollowOptions& options) {
-    storage::expect_ending("--csv", options.csv, {".csv"});
     const sweep::CellFigure& figure = figure_named(options.of);
     const parameters::Case c = load_case(options.input);
     const Interrupt interrupt;
@@ -74,14 +69,8 @@ void add_follow(CLI::App& program) {
         ->type_name("KEY=FROM:TO[:POINTS]")
         ->required();
     command->add_option("--of", options->of, "the figure that is drawn")->type_name("FIGURE")->capture_default_str();
-    CLI::Option* figure =
-        command->add_option("--figure", options->figure, "draw it over the quantity to FILE.png, FILE.svg or FILE.pdf")
-            ->type_name("FILE")
-            ->check(in_a_folder());
-    add_sheet_options(*command, options->sheet, figure);
-    command->add_option("--csv", options->csv, "write all figures of each run to FILE.csv")
-        ->type_name("FILE")
-        ->check(in_a_folder());
+    add_figure_option(*command, options->figure, options->sheet, "draw it over the quantity");
+    add_csv_option(*command, options->csv, "write all figures of each run to FILE.csv");
     add_json_option(*command, options->json, "stridor.following/1");
     command->footer(
         "Where the ways up and down have other verdicts the system has hysteresis: what it does depends on its "

@@ -153,15 +153,10 @@ void add_simulate(CLI::App& program) {
                      "begin a run of its own in the --end-state of another one, perhaps of other quantities")
         ->type_name("FILE")
         ->excludes(from);
-    CLI::Option* figure =
-        command
-            ->add_option("--figure", options->figure,
-                         "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf; of an own "
-                         "structure with several contacts each one's states and loads")
-            ->type_name("FILE")
-            ->check(in_a_folder());
+    add_figure_option(*command, options->figure, options->sheet,
+                      "draw motion and contact states (Figure 5), of an own structure with several contacts each one's "
+                      "states and loads,");
     command->add_option("--zoom", options->zoom, "time range of the figure's zoom")->type_name("FROM:TO");
-    add_sheet_options(*command, options->sheet, figure);
     command->footer(
         "Examples:\n  stridor simulate squeal.toml\n  stridor simulate squeal.toml --set contact.preload=\"200 N\" "
         "--json\n"

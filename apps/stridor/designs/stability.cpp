@@ -35,11 +35,7 @@ struct StabilityOptions {
 
 analysis::StabilityScan scan_over(const parameters::Case& c, const std::string& over) {
     if (over.empty()) return analysis::scan_stability(c, std::nullopt);
-    try {
-        return analysis::scan_stability(c, io::read_scan_range(over));
-    } catch (const Error& error) {
-        throw Error(error.kind(), error.problem(), base::Place{"--over", 0, 0, over});
-    }
+    return at_option("--over", over, [&] { return analysis::scan_stability(c, io::read_scan_range(over)); });
 }
 
 void stability(const StabilityOptions& options) {
@@ -64,18 +60,9 @@ void add_stability(CLI::App& program) {
             "follow a parameter and bisect the boundaries between kinds: contact.kinetic_friction=0:0.8; ends may "
             "carry units")
         ->type_name("KEY=FROM:TO[:POINTS]");
-    CLI::Option* figure = command
-                              ->add_option("--figure", options->figure,
-                                           "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf")
-                              ->type_name("FILE")
-                              ->check(in_a_folder())
-                              ->needs("--over");
-    add_sheet_options(*command, options->sheet, figure);
-    command
-        ->add_option("--csv", options->csv,
-                     "write the modes to FILE.csv, a row each, and which of them grow; with --over those of each point")
-        ->type_name("FILE")
-        ->check(in_a_folder());
+    add_figure_option(*command, options->figure, options->sheet, "draw frequencies and growth rates")->needs("--over");
+    add_csv_option(*command, options->csv,
+                   "write the modes to FILE.csv, a row each, and which of them grow; with --over those of each point");
     command->add_flag("--modes", options->has_modes,
                       "say what the modes that grow are made of, and which contact feeds them");
     add_json_option(*command, options->json, "stridor.stability/1");

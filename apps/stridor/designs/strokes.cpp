@@ -10,7 +10,6 @@
 #include "stridor/io/simulation/stroke_texts.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/strokes.hpp"
-#include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -40,11 +39,7 @@ struct StrokesOptions {
 };
 
 double value_of(const char* option, const std::string& text, const char* unit) {
-    try {
-        return base::parse_quantity(text, unit);
-    } catch (const Error& error) {
-        throw Error(error.kind(), error.problem(), base::Place{option, 0, 0, text});
-    }
+    return at_option(option, text, [&] { return base::parse_quantity(text, unit); });
 }
 
 sweep::StrokePlan plan_of(const StrokesOptions& options) {
@@ -77,7 +72,6 @@ sweep::StrokeHistory history_of(const StrokesOptions& options) {
 }
 
 void strokes(const StrokesOptions& options) {
-    storage::expect_ending("--csv", options.csv, {".csv"});
     const sweep::StrokeHistory history = history_of(options);
     if (!options.figure.empty()) pictures::draw(pictures::strokes(history), options.figure, options.sheet);
     if (!options.csv.empty()) console::write_output(options.csv, io::strokes_csv(history));
@@ -120,15 +114,8 @@ void add_strokes(CLI::App& program) {
         "strokes", "Run a case stroke after stroke: friction heats the parts and wears the contact down.");
     add_case_options(*command, options->input);
     add_plan_options(*command, *options);
-    CLI::Option* figure = command
-                              ->add_option("--figure", options->figure,
-                                           "draw what changes over the strokes to FILE.png, FILE.svg or FILE.pdf")
-                              ->type_name("FILE")
-                              ->check(in_a_folder());
-    add_sheet_options(*command, options->sheet, figure);
-    command->add_option("--csv", options->csv, "write all figures of each computed stroke to FILE.csv")
-        ->type_name("FILE")
-        ->check(in_a_folder());
+    add_figure_option(*command, options->figure, options->sheet, "draw what changes over the strokes");
+    add_csv_option(*command, options->csv, "write all figures of each computed stroke to FILE.csv");
     add_json_option(*command, options->json, "stridor.strokes/1");
     command->footer(
         "Temperature and preload are slow: within a stroke they stand still, and a stroke is computed where they have "

@@ -67,13 +67,7 @@ void add_analyse(CLI::App& program) {
                      "how a sound in Pa comes to the listener, for its loudness and sharpness")
         ->check(one_of({"free", "diffuse"}))
         ->capture_default_str();
-    CLI::Option* figure = command
-                              ->add_option("--figure", options->figure,
-                                           "draw waveform, level, spectrogram and segments to FILE.png, FILE.svg or "
-                                           "FILE.pdf")
-                              ->type_name("FILE")
-                              ->check(in_a_folder());
-    add_sheet_options(*command, options->sheet, figure);
+    add_figure_option(*command, options->figure, options->sheet, "draw waveform, level, spectrogram and segments");
     add_json_option(*command, options->json, "stridor.analyse/1");
     command->footer(
         "Examples:\n  stridor analyse squeak.wav\n  stridor analyse squeak.wav --full-scale \"2 Pa\" --figure "

@@ -155,9 +155,7 @@ void add_evaluate(CLI::App& program) {
     command->add_option("--labels", options->labels, "another table of what they are: CSV, or a page ending in .md")
         ->type_name("FILE")
         ->needs(recordings);
-    command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
-        ->type_name("FILE")
-        ->check(in_a_folder());
+    add_csv_option(*command, options->csv, "write a row per simulated sound, with the figures of both verdicts");
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json, "stridor.evaluate/1");
     command->footer(

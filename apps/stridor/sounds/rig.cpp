@@ -163,12 +163,7 @@ void add_rig_friction(CLI::App& rig) {
     CLI::Option* fit =
         command->add_option("--fit", options->fit, "fit the laws over the speed of slip, and use this or the best one")
             ->check(one_of(laws));
-    CLI::Option* figure =
-        command->add_option("--figure", options->figure, "draw points, laws and what is left to FILE.png, .svg or .pdf")
-            ->type_name("FILE")
-            ->check(in_a_folder())
-            ->needs(fit);
-    add_sheet_options(*command, options->sheet, figure);
+    add_figure_option(*command, options->figure, options->sheet, "draw points, laws and what is left")->needs(fit);
     CLI::Option* risk =
         command->add_flag("--risk", options->risk, "a number from 1 to 10 for each run, and what the model says")
             ->excludes(fit);
@@ -224,11 +219,7 @@ void add_rig_sensitivity(CLI::App& rig) {
         ->check(one_of({"category", "denomination"}))
         ->capture_default_str();
     command->add_flag("--records", options->records, "a row per record instead of bins");
-    CLI::Option* figure =
-        command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
-            ->type_name("FILE")
-            ->check(in_a_folder());
-    add_sheet_options(*command, options->sheet, figure);
+    add_figure_option(*command, options->figure, options->sheet, "draw the records");
     add_json_option(*command, options->json, "stridor.sensitivity/1");
     add_library_option(*command, options->library);
     command->footer(
