@@ -11,13 +11,17 @@
 
 # Every option that a translation unit of ours is compiled with.
 #
-# -ffp-contract=off and STRIDOR_CHECKS are part of the interface (scope PUBLIC), not only of the build: a program that
-# includes our headers compiles their inline functions itself, and the linker keeps one copy of each for everyone. Were
-# that copy compiled with fused multiply-adds, or with other checks, the library's own bits would change with its user.
+# EIGEN_NO_CPUID: Eigen cuts the products of large matrices into blocks by the caches of the machine, asked of the
+# processor, and adds block after block: with more than some 250 numbers to a sum the last bits would depend on the
+# machine. So it takes its own usual sizes (32 KiB, 256 KiB, 2 MiB) everywhere.
+#
+# These are part of the interface (scope PUBLIC), not only of the build: a program that includes our headers compiles
+# their inline functions itself, and the linker keeps one copy of each for everyone. Were that copy compiled with fused
+# multiply-adds, or with other checks, the library's own bits would change with its user.
 function(stridor_compile_options target scope)
     target_compile_features(${target} ${scope} cxx_std_20)
     target_compile_options(${target} ${scope} -ffp-contract=off)
-    target_compile_definitions(${target} ${scope} STRIDOR_CHECKS=$<BOOL:${STRIDOR_CHECKS}>)
+    target_compile_definitions(${target} ${scope} STRIDOR_CHECKS=$<BOOL:${STRIDOR_CHECKS}> EIGEN_NO_CPUID)
     if(scope STREQUAL "INTERFACE")
         return()
     endif()
