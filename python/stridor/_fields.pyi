@@ -48,6 +48,7 @@ class Plate(Section):
 class Structure(Section):
     stiffness_scale: Quantity
     damping_scale: Quantity
+    spring_scale: Quantity
     mass: Quantity
     stiffness: Quantity
     damping_ratio: Quantity

@@ -15,7 +15,8 @@ __all__ = ["structure"]
 _most_rows = 2000  # [1] of a structure: what the engines take
 # in which arrays are taken; of all others without one
 _units = {"mass": "kg", "stiffness": "N/m", "damping": "N*s/m", "load": "N", "initial_displacement": "m",
-          "rayleigh_mass": "1/s", "rayleigh_stiffness": "s", **_stridor.contact_units()}
+          "rayleigh_mass": "1/s", "rayleigh_stiffness": "s", "cubic": "N/m^3", "deflection": "m", "gap": "m",
+          **_stridor.contact_units()}
 _Entries = List[Tuple[str, Any]]  # key and value of a case's document; None opens a table
 
 
@@ -36,9 +37,10 @@ def structure(
     initial_displacement: Any = None,
     initial_velocity: Any = None,
     outputs: Optional[Mapping[str, Any]] = None,
+    springs: Sequence[Mapping[str, Any]] = (),
     title: str = "",
 ) -> Case:
-    """A case with a linear structure of your own: M u'' + C u' + K u = loads, with rubbing contacts.
+    """A case with a structure of your own: M u'' + C u' + K u = loads, with rubbing contacts, and springs if wanted.
 
     The page on structures of one's own (docs/formats/own-structure.md) says what each key means.
 
@@ -64,6 +66,10 @@ def structure(
         A number for each row [N], [1], [m], [1].
     outputs : mapping, optional
         By name the direction of a point whose motion is wanted.
+    springs : sequence of mappings
+        Of each spring beside K its `direction`, an array or text as of contacts, and whatever else a
+        `[[structure.spring]]` has: `name`, `stiffness` [N/m], `cubic` [N/m^3], `force` [N] at `deflection` [m],
+        `exponent`, `gap` [m], `table` as text, `interpolation`, `preload_share`.
     title : str
 
     Returns
@@ -97,7 +103,9 @@ def structure(
     lists = {"load": load, "force": force, "initial_displacement": initial_displacement,
              "initial_velocity": initial_velocity}
     entries += [(f"structure.{name}", _list(name, list_of)) for name, list_of in lists.items() if list_of is not None]
-    entries += _outputs({} if outputs is None else outputs) + _contacts(contacts)
+    entries += _outputs({} if outputs is None else outputs)
+    entries += _tables("contact", contacts, "{'name': ..., 'normal': ..., 'tangent': ...}")
+    entries += _tables("spring", springs, "{'direction': ..., 'cubic': ...}")
     try:
         return Case._of(_stridor.from_entries(entries))
     except Error as error:
@@ -148,25 +156,25 @@ def _outputs(outputs: Mapping[str, Any]) -> _Entries:
     return entries if len(entries) > 1 else []
 
 
-def _contacts(contacts: Sequence[Mapping[str, Any]]) -> _Entries:
-    entries: _Entries = [("structure.contact", None)]
-    for number, contact in enumerate(contacts, 1):
-        if not isinstance(contact, Mapping):
-            raise InputError(f"{contact!r} is no contact. Write it as {{'name': ..., 'normal': ..., 'tangent': ...}}.")
-        table = f"structure.contact.{number}"
-        entries += [(table, None), *((f"{table}.{whole_text(str(key))}", _of_contact(str(key), value))
-                                     for key, value in contact.items() if not isinstance(value, str) or value)]
-    return entries
+def _tables(kind: str, given: Sequence[Mapping[str, Any]], example: str) -> _Entries:
+    entries: _Entries = [(f"structure.{kind}", None)]
+    for number, one in enumerate(given, 1):
+        if not isinstance(one, Mapping):
+            raise InputError(f"{one!r} is no {kind}. Write it as {example}.")
+        table = f"structure.{kind}.{number}"
+        entries += [(table, None), *((f"{table}.{whole_text(str(key))}", _of_table(kind, str(key), value))
+                                     for key, value in one.items() if not isinstance(value, str) or value)]
+    return entries if len(entries) > 1 or kind == "contact" else []
 
 
-def _of_contact(key: str, value: Any) -> Any:
+def _of_table(kind: str, key: str, value: Any) -> Any:
     if isinstance(value, str):
         return whole_text(value)
     array = _array(key, value)
     if array.ndim > 1 and max(array.shape) == array.size:  # a row or a column of a matrix
         array = array.ravel()
     if array.ndim > 1:
-        raise InputError(f"{key} of a contact has the shape {array.shape} (it has one number for each row)")
+        raise InputError(f"{key} of a {kind} has the shape {array.shape} (it has one number for each row)")
     return array if array.size > 1 else float(array.ravel()[0]) if array.size else array
 
 

@@ -92,7 +92,7 @@ TEST_P(FrictionContract, HasAJetThatFollowsItsResistance) {
                 std::array<double, count> motion{speed, rise * std::max(speed, 1e-3), 0.02 * rise * speed,
                                                  0.01 * speed};
                 const auto side = rise > 0.0 ? model::CornerSide::above : model::CornerSide::below;
-                const model::SpeedStretch stretch = model::speed_stretch(law(), way, speed, 0.0, side);
+                const model::SmoothStretch stretch = model::speed_stretch(law(), way, speed, 0.0, side);
                 model::FrictionJet jet(law(), way);
                 jet.choose(stretch);
                 std::array<double, count> resistance{};

@@ -152,7 +152,8 @@ double default_spread(const parameters::Field& field, double value) {
     if (unit == "deg") return angle_spread;
     if (unit == "N") return force_spread * size;
     if (unit == "N*s/m" || field.name == "damping_scale") return damping_spread * size;
-    if (unit == "N/m" || field.name == "stiffness_scale") return stiffness_spread * size;
+    if (unit == "N/m" || field.name == "stiffness_scale" || field.name == "spring_scale")
+        return stiffness_spread * size;
     if (unit == "kg") return mass_spread * size;
     return friction_spread * size;
 }

@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/model/linearised.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ ModalLine line_at(const ModalSpectrum& spectrum, std::size_t line) {
 }  // namespace
 
 OpenModes open_modes(const model::Structure& structure) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(structure.stiffness, structure.mass);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+        model::linearised_at_rest(structure).stiffness, structure.mass);
     OpenModes modes{{}, solver.eigenvectors()};
     for (const double squared : solver.eigenvalues())
         modes.frequencies.push_back(std::sqrt(std::max(0.0, squared)) / base::two_pi);

@@ -5,7 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/model/cubic_spring.hpp"
+#include "stridor/model/linearised.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/sound_thresholds.hpp"
+#include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
@@ -122,6 +123,13 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
     object["contacts"] = std::move(contacts);
     for (const parameters::OwnOutput& output : own.outputs)
         object["outputs"].push_back(output.name);
+    for (const parameters::OwnSpring& each : own.springs) {
+        Json spring = Json::object();
+        for (const parameters::SpringField& field : parameters::spring_fields())
+            if (field.key != "direction" && !is_usual(each, field))
+                std::visit([&](const auto& value) { spring[std::string(field.key)] = value; }, value_of(each, field));
+        object["springs"].push_back(std::move(spring));
+    }
 }
 
 /// Returns a case by sections and names: quantities as numbers in their units, all else as text. Fields without a

@@ -1,12 +1,16 @@
 #include "stridor/model/case_structure.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/model/linearised.hpp"
 #include "stridor/model/modal_damping.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/model/static_contact.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace stridor::model {
@@ -37,12 +41,61 @@ Eigen::MatrixXd damping_of(const OwnStructure& own, const Structure& structure) 
     return damping;
 }
 
+// [N] of the case; 0 where others press it
+double preload_of(const parameters::Case& c) {
+    return parameters::is_preloaded(c) ? c.contact().preload : 0.0;
+}
+
+// its forces times a scale; `preload` [N] tells how far it is pressed as a rule
+SpringLaw law_of(const parameters::OwnSpring& spring, double scale, double preload) {
+    using parameters::SpringKind;
+    const auto scaled = [&](std::vector<double> forces) {
+        for (double& force : forces)
+            force *= scale;
+        return forces;
+    };
+    switch (kind_of(spring)) {
+        case SpringKind::table:
+            return table_spring(spring.table.deflections, scaled(spring.table.forces), spring.interpolation);
+        case SpringKind::power:
+            return power_spring(scale * spring.force, spring.deflection, spring.exponent, spring.gap, preload);
+        case SpringKind::cubic:
+        case SpringKind::linear:
+            break;
+    }
+    return CubicSpring{scale * spring.cubic};
+}
+
+// the linear parts join the stiffness, the others the springs
+void add_springs(Structure& structure, const parameters::Case& c) {
+    const parameters::StructureScales& scales = c.structure_scales;
+    for (const parameters::OwnSpring& given : c.own_structure->springs) {
+        const Eigen::VectorXd direction = vector_of(given.direction, structure.load.size());
+        structure.stiffness += scales.stiffness * given.stiffness * direction * direction.transpose();
+        if (kind_of(given) == parameters::SpringKind::linear) continue;
+        Spring spring{direction, law_of(given, scales.stiffness * scales.springs, preload_of(c))};
+        const double borne = given.preload_share * preload_of(c);
+        if (borne > 0.0) spring.rest = elongation_under(spring.law, scales.stiffness * given.stiffness, borne);
+        if (!std::isfinite(spring.rest))
+            base::refuse("spring \"" + given.name + "\" never pushes with " + base::shortest(borne) + " N",
+                         "that is its share of the preload at rest", "Lower its preload_share, or make it stiffer.");
+        structure.springs.push_back(std::move(spring));
+    }
+}
+
+// what springs push where u = 0 is held there by the load
+void hold_springs(Structure& structure) {
+    if (structure.springs.empty()) return;
+    structure.load += spring_forces(structure, Eigen::VectorXd::Zero(structure.load.size()));
+}
+
 void press_by_preload(Structure& structure, const parameters::Case& c) {
     for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
         ContactPoint& contact = structure.contacts[k];
         contact.preload = parameters::contact_of(c, k).preload;
         structure.load -= contact.preload * contact.normal;
     }
+    hold_springs(structure);
 }
 
 // from here on displacements are those from the place where it rests
@@ -60,6 +113,9 @@ void press_by_load(Structure& structure, const OwnStructure& own) {
         base::refuse("no contact is closed at rest", "the load does not press the structure on its contacts",
                      "Check the signs of load and normals, or give contacts a negative initial_gap.");
     structure.load.setZero();
+    for (Spring& spring : structure.springs)
+        spring.rest += spring.direction.dot(rest.displacement);
+    hold_springs(structure);
     for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
         ContactPoint& contact = structure.contacts[k];
         const double force = rest.normal_forces(static_cast<Index>(k));
@@ -77,8 +133,9 @@ Structure structure_of_own(const parameters::Case& c) {
     Structure structure = structure_of_size(static_cast<int>(rows), static_cast<int>(count));
     structure.mass = matrix_of(own.mass, rows);
     structure.stiffness = c.structure_scales.stiffness * matrix_of(own.stiffness, rows);
-    structure.damping = c.structure_scales.damping * damping_of(own, structure);
     structure.load = vector_of(own.load, rows);
+    add_springs(structure, c);
+    structure.damping = c.structure_scales.damping * damping_of(own, structure);
     structure.left_out_above = own.left_out_above;
     if (parameters::is_by_force(c.drive)) structure.shaken = vector_of(own.force, rows);
     structure.measured = Eigen::MatrixXd(2 * count, rows);

@@ -2,6 +2,7 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/model/linearised.hpp"
 
 #include <fmt/format.h>
 
@@ -50,8 +51,8 @@ SharedInertia most_shared_where(const MatrixXd& compliance, const Counts& counts
 
 // modes of negative stiffness
 Index modes_that_run_away(const Structure& structure) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(structure.stiffness, structure.mass,
-                                                                    Eigen::EigenvaluesOnly);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(linearised_at_rest(structure).stiffness,
+                                                                    structure.mass, Eigen::EigenvaluesOnly);
     const double most = solver.eigenvalues().cwiseAbs().maxCoeff();
     return (solver.eigenvalues().array() < -stiffness_rounding * most).count();
 }

@@ -1,14 +1,14 @@
 #include "stridor/model/equilibrium.hpp"
 
-#include "stridor/model/cubic_spring.hpp"
+#include "stridor/model/linearised.hpp"
 #include "stridor/model/sized_structure.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace stridor::model {
 
@@ -45,17 +45,45 @@ Equilibrium linear_equilibrium(const Structure& structure, const std::vector<dou
     return {solution.head(dofs), solution.tail(contacts)};
 }
 
+// [N] how far it is from a balance with springs: forces, and gaps times the largest stiffness
+double imbalance(const Structure& structure, const std::vector<double>& ratios, const Equilibrium& at) {
+    Eigen::VectorXd forces =
+        structure.stiffness * at.displacement + spring_forces(structure, at.displacement) - structure.load;
+    double gaps = 0.0;
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+        const ContactPoint& contact = structure.contacts[k];
+        forces -= at.normal_forces(static_cast<Eigen::Index>(k)) * (contact.normal + ratios[k] * contact.tangent);
+        gaps += std::abs(contact.initial_gap + contact.normal.dot(at.displacement));
+    }
+    return forces.norm() + gaps * structure.stiffness.cwiseAbs().maxCoeff();
+}
+
+// a step of Newton's method, halved until it comes nearer; whole where none does, as at the end
+Equilibrium shortened(const Structure& structure, const std::vector<double>& ratios, const Equilibrium& from,
+                      const Equilibrium& to) {
+    constexpr double least_share = 0x1p-20;
+    const double before = imbalance(structure, ratios, from);
+    for (double share = 1.0; share > least_share; share *= 0.5) {
+        const Equilibrium part{from.displacement + share * (to.displacement - from.displacement),
+                               from.normal_forces + share * (to.normal_forces - from.normal_forces)};
+        if (imbalance(structure, ratios, part) < before) return share == 1.0 ? to : part;
+    }
+    return to;
+}
+
 }  // namespace
 
 Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios) {
     if (structure.springs.empty()) return linear_equilibrium(structure, ratios);
-    Equilibrium found{Eigen::VectorXd::Zero(dofs_of(structure)), {}};
+    Equilibrium found{Eigen::VectorXd::Zero(dofs_of(structure)),
+                      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(structure.contacts.size()))};
     double change = std::numeric_limits<double>::infinity(), size = 0.0;
     for (int step = 0; step < most_newton_steps && !(change <= newton_rounding * size); ++step) {
-        Equilibrium next = linear_equilibrium(linearised_at(structure, found.displacement), ratios);
+        const Equilibrium next = shortened(structure, ratios, found,
+                                           linear_equilibrium(linearised_at(structure, found.displacement), ratios));
         change = (next.displacement - found.displacement).norm();
         size = next.displacement.norm();
-        found = std::move(next);
+        found = next;
     }
     if (change <= newton_end * size) return found;
     found.displacement.setConstant(std::numeric_limits<double>::quiet_NaN());

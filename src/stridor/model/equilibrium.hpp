@@ -17,7 +17,7 @@ struct Equilibrium {
 ///
 /// `ratios` [1] are T/N, shape [contact]: 0 at rest, `slip_ratio` while it slides. A negative normal force or a
 /// singular system (the divergence boundary) shows in the result; the caller decides.
-/// Cubic springs: by Newton's method from u = 0; what comes to no end has no numbers.
+/// With springs: by Newton's method from u = 0; what comes to no end has no numbers.
 Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios);
 
 /// A state of rest or of steady sliding in which contacts may be open.

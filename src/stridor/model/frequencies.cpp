@@ -3,6 +3,7 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/inertial_part.hpp"
+#include "stridor/model/linearised.hpp"
 
 #include <cmath>
 
@@ -38,7 +39,7 @@ std::vector<double> natural_frequencies(const Structure& structure, ContactState
     Eigen::MatrixXd blocked(dofs_of(structure), static_cast<Eigen::Index>(held.size()));
     for (std::size_t k = 0; k < held.size(); ++k)
         blocked.col(static_cast<Eigen::Index>(k)) = *held[k];
-    return natural_frequencies(structure.mass, structure.stiffness, blocked);
+    return natural_frequencies(structure.mass, linearised_at_rest(structure).stiffness, blocked);
 }
 
 }  // namespace stridor::model

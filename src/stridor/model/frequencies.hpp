@@ -18,7 +18,7 @@ std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen
                                         const Eigen::MatrixXd& blocked);
 
 /// Returns the undamped natural angular frequencies [rad/s], rising, of the structure with all its contacts held in one
-/// state.
+/// state; of springs their slopes at rest count.
 ///
 /// Separation: all degrees of freedom free. Slip: the gaps closed, no friction (mu = 0). Stick: gaps closed and the
 /// tangential positions fixed. The constraints are n.u = 0 and t.u = 0; the rest is a symmetric eigenvalue problem.

@@ -2,6 +2,7 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/model/linearised.hpp"
 
 #include <vector>
 
@@ -27,9 +28,7 @@ Contacts closed(const std::vector<Index>& set, const Eigen::MatrixXd& flexibilit
     return found;
 }
 
-}  // namespace
-
-Equilibrium static_contact(const Structure& structure) {
+Equilibrium linear_static_contact(const Structure& structure) {
     const Eigen::LLT<Eigen::MatrixXd> factor(structure.stiffness);
     if (factor.info() != Eigen::Success)
         base::refuse("the stiffness alone does not hold the structure",
@@ -68,6 +67,24 @@ Equilibrium static_contact(const Structure& structure) {
     }
     throw Error(ErrorKind::numerical, {"where the structure rests on its contacts was not found",
                                        "contacts change without end", "Do two of them have the same normal?"});
+}
+
+}  // namespace
+
+// with springs: by Newton's method, from the structure without load
+Equilibrium static_contact(const Structure& structure) {
+    if (structure.springs.empty()) return linear_static_contact(structure);
+    constexpr int most_steps = 128;
+    constexpr double rounding = 1e-14, no_end = 1e-10;  // [1] of the displacement
+    Eigen::VectorXd at = Eigen::VectorXd::Zero(dofs_of(structure));
+    for (int step = 0; step < most_steps; ++step) {
+        const Equilibrium next = linear_static_contact(linearised_at(structure, at));
+        const double change = (next.displacement - at).norm(), size = next.displacement.norm();
+        at = next.displacement;
+        if (change <= (step + 1 < most_steps ? rounding : no_end) * size) return next;
+    }
+    base::refuse("where the structure rests on its springs and contacts was not found",
+                 "the steps towards it come to no end", "Do springs soften, or does nothing hold the structure?");
 }
 
 }  // namespace stridor::model

@@ -3,6 +3,7 @@
 #include "stridor/model/friction/friction.hpp"
 #include "stridor/model/friction/rest.hpp"
 #include "stridor/model/impact.hpp"
+#include "stridor/model/spring.hpp"
 
 #include <Eigen/Core>
 
@@ -29,16 +30,9 @@ struct ContactPoint {
     double creep_speed = 0.0;         // [m/s] of a law with a state: below it a slip counts as a stick; 0: never
 };
 
-/// A spring whose force grows with the cube of its elongation e = d.u: -k3 e³ along d, as rubber's does that stiffens.
-/// Its linear part stands in K. (Duffing 1918, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz)
-struct CubicSpring {
-    Eigen::VectorXd direction;  // [1] d, shape [dof]
-    double cubic = 0.0;         // [N/m³] k3; below 0: it softens
-};
-
-/// A structure with unilateral frictional contacts, what every engine sees. It is linear but for cubic springs:
+/// A structure with unilateral frictional contacts, what every engine sees. It is linear but for its springs:
 ///
-///     M u'' + C u' + K u + sum over springs of d k3 (d.u)³ = f0 + shaken F(t) + sum over contacts of (n N + t T)
+///     M u'' + C u' + K u + sum over springs of d F(e0 + d.u) = f0 + shaken F(t) + sum over contacts of (n N + t T)
 ///     gap g = g0 + n.u >= 0,    slip velocity w = t.u' - share V,    N >= 0
 ///
 /// Displacements are measured from the preloaded rest position. The paper's joint on a plate is one builder
@@ -53,9 +47,9 @@ struct Structure {
     Eigen::VectorXd shaken{};  // [1] share of an imposed force on each, shape [dof]; empty: no such force
     // [1] what is recorded as vibration: the velocities measured * u'; shape [channel][dof]; empty: u' itself
     Eigen::MatrixXd measured{};
-    double left_out_above = 0.0;         // [Hz] modes above it were left out when the structure was made; 0: none
-    std::vector<CubicSpring> springs{};  // beside K
-    std::vector<int> body{};             // number of the body of each channel, rising; empty: one body each
+    double left_out_above = 0.0;    // [Hz] modes above it were left out when the structure was made; 0: none
+    std::vector<Spring> springs{};  // beside K
+    std::vector<int> body{};        // number of the body of each channel, rising; empty: one body each
 };
 
 /// Returns a structure with zero matrices and load for `dofs` degrees of freedom, and contacts with zero normals and

@@ -103,6 +103,7 @@ enum class Interpolation {
     cubic,   // monotone from row to row, with a continuous slope
     linear,  // straight from row to row
 };
+inline constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 
 /// Friction as measured over the slip velocity.
 struct FrictionTable {
@@ -266,6 +267,7 @@ struct OwnStructure;  // own_structure.hpp
 struct StructureScales {
     double stiffness = 1.0;  // [1] of its stiffness matrix
     double damping = 1.0;    // [1] of all its damping
+    double springs = 1.0;    // [1] of what its springs push beside that matrix, which `stiffness` is a factor of, too
 };
 
 /// One complete case: joints on a plate, or a structure of the user's own in their place.

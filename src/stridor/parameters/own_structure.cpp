@@ -4,6 +4,7 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
+#include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 
@@ -27,7 +28,8 @@ void put(std::string& text, const std::optional<double>& number) {
 }
 
 // a field that came later
-void put(std::string& text, const ContactField& field, const ContactValue& value) {
+template <typename Field, typename Value>
+void put(std::string& text, const Field& field, const Value& value) {
     text += std::string(field.key) + "=";
     if (const auto* words = std::get_if<std::string>(&value)) text += *words + ";";
     if (const auto* number = std::get_if<double>(&value)) put(text, std::optional(*number));
@@ -67,6 +69,7 @@ void rebuild(Case& c, std::string_view key, double value) {
     anew.initial_displacement = c.own_structure->initial_displacement;
     if (has_given_velocity(*c.own_structure)) anew.initial_velocity = c.own_structure->initial_velocity;
     anew.outputs = c.own_structure->outputs;
+    anew.springs = c.own_structure->springs;
     for (std::size_t k = 0; k < std::min(anew.contacts.size(), c.own_structure->contacts.size()); ++k)
         anew.contacts[k].rested = c.own_structure->contacts[k].rested;
     c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
@@ -95,6 +98,9 @@ std::string content_hash(const OwnStructure& structure) {
         for (const ContactField& field : contact_fields().subspan(first_contact_fields))
             if (!is_usual(contact, field)) put(text, field, value_of(contact, field));
     }
+    for (const OwnSpring& spring : structure.springs)
+        for (const SpringField& field : spring_fields())
+            if (field.key != "name" && !is_usual(spring, field)) put(text, field, value_of(spring, field));
     return base::hash_text(text);
 }
 
@@ -166,6 +172,14 @@ Contact contact_of(const Case& c, std::size_t contact) {
             laws.*field.in_place_of = *(own.**number);
     laws.preload = all > 0.0 ? c.contact().preload * (own.preload_share / all) : 0.0;
     return laws;
+}
+
+const OwnSpring* find_nonlinear_spring(const Case& c) {
+    if (!c.own_structure) return nullptr;
+    const std::vector<OwnSpring>& springs = c.own_structure->springs;
+    const auto found = std::find_if(springs.begin(), springs.end(),
+                                    [](const OwnSpring& spring) { return kind_of(spring) != SpringKind::linear; });
+    return found == springs.end() ? nullptr : &*found;
 }
 
 std::span<const OwnOutput> outputs_of(const Case& c) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
+#include "stridor/parameters/own_spring.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,8 +13,9 @@
 #include <string_view>
 #include <vector>
 
-/// A linear structure of the user's own, with the points where it rubs: a chain, a string, a part of a finite-element
-/// program. It takes the place of joint and plate in a case; contact, drive, run and thresholds stay.
+/// A structure of the user's own, linear but for its springs, with the points where it rubs: a chain, a string, a part
+/// of a finite-element program. It takes the place of joint and plate in a case; contact, drive, run and thresholds
+/// stay.
 namespace stridor::parameters {
 
 /// Most rows: its matrices are dense, and a motion costs their number with each step.
@@ -87,6 +89,7 @@ struct OwnStructure {
     double left_out_above = 0.0;  // [Hz] modes above it were left out, and their flexibility kept; 0: none were
     std::vector<OwnContact> contacts{};
     std::vector<OwnOutput> outputs{};
+    std::vector<OwnSpring> springs{};     // beside the stiffness
     std::vector<OutlinePoint> outline{};  // in their order along it; empty: unknown
     std::optional<Recipe> recipe{};       // what a builder made it from; nothing: it was none
 };
@@ -136,6 +139,9 @@ std::string contact_name(const Case& c, std::size_t contact);
 /// The laws at a contact of any case: its joint's; at one of the case's own structure [contact], with the coefficients
 /// that the contact has itself, and its share of the preload.
 Contact contact_of(const Case& c, std::size_t contact);
+
+/// The first spring of a case that is not linear, whatever scales it; null if there is none.
+const OwnSpring* find_nonlinear_spring(const Case& c);
 
 /// Outputs of any case: those of its own structure, and none of joints.
 std::span<const OwnOutput> outputs_of(const Case& c);

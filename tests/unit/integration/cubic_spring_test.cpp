@@ -1,10 +1,9 @@
 // Springs whose force grows with the cube of their elongation, by Taylor series.
 
-#include "stridor/model/cubic_spring.hpp"
-
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/equilibrium.hpp"
+#include "stridor/model/linearised.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "support/expected_error.hpp"
 #include "support/many_contacts.hpp"
@@ -26,7 +25,7 @@ constexpr model::Belt spring_belt{1.0, 1.0, 0.0, 1.0, {0.8, 0.4}};
 
 model::Structure spring_belt_with(double cubic) {
     model::Structure structure = model::mass_on_belt(spring_belt);
-    structure.springs.push_back({Eigen::Vector2d(1.0, 0.0), cubic});
+    structure.springs.push_back({Eigen::Vector2d(1.0, 0.0), model::CubicSpring{cubic}});
     return structure;
 }
 
@@ -109,7 +108,7 @@ TEST(CubicSpring, MeetsASurfaceWhenTheEllipticIntegralSays) {
             structure.contacts.front().normal = Eigen::Vector2d(1.0, 0.0);
             structure.contacts.front().tangent = Eigen::Vector2d(0.0, 1.0);
             structure.contacts.front().initial_gap = -0.5 * A;
-            structure.springs.push_back({Eigen::Vector2d(1.0, 0.0), cubic});
+            structure.springs.push_back({Eigen::Vector2d(1.0, 0.0), model::CubicSpring{cubic}});
             const double omega = std::sqrt(linear + cubic * A * A);
             const double k = std::sqrt(cubic * A * A / 2.0) / omega;
             const double pi = 3.14159265358979323846;
@@ -175,8 +174,8 @@ TEST(CubicSpring, IsOfItsTangentNextToAnEquilibrium) {
 TEST(CubicSpring, IsRefusedByEnginesThatAreLinear) {
     for (const parameters::Method method : {parameters::Method::exact, parameters::Method::moreau,
                                             parameters::Method::massless, parameters::Method::beta_2})
-        EXPECT_TRUE(refusal(method, {parameters::Demand::cubic_springs, {}}).has_value());
-    EXPECT_FALSE(refusal(parameters::Method::taylor, {parameters::Demand::cubic_springs, {}}).has_value());
+        EXPECT_TRUE(refusal(method, {parameters::Demand::other_springs, {}}).has_value());
+    EXPECT_FALSE(refusal(parameters::Method::taylor, {parameters::Demand::other_springs, {}}).has_value());
     const model::Structure structure = spring_belt_with(1.0);
     const InitialState start = initial_state(structure, {Initial::rest, 0.0}, spring_belt_velocity);
     support::expect_error(support::error_of([&] { support::run_moreau(structure, spring_belt_velocity, start, 1e-3); }),

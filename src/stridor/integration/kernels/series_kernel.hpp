@@ -31,7 +31,7 @@ struct SeriesProblem {
     // of v, the surface's acceleration and the load add to {acceleration; forces}, shape [2 numbers + 2][2]
     const Lanes* eliminated = nullptr;
     std::size_t numbers = 0;  // modes
-    // adds to the acceleration what the coefficients found so far tell of cubic springs and of friction that changes
+    // adds to the acceleration what the coefficients found so far tell of springs and of friction that changes
     // with the slip velocity; null where there is neither. The forces of this coefficient are not among them.
     void (*rub)(void* friction, std::size_t coefficient, Lanes* acceleration) = nullptr;
     void* friction = nullptr;

@@ -10,10 +10,8 @@ double stored_energy(const ModalStructure& structure, std::span<const double> q,
     double energy = 0.0;
     for (std::size_t j = 0; j < structure.modes(); ++j)
         energy += 0.5 * v[j] * v[j] + 0.5 * structure.square_frequency[j] * q[j] * q[j];
-    for (const ModalSpring& spring : structure.springs) {
-        const double e = dot(spring.row, q);
-        energy += 0.25 * spring.cubic * (e * e) * (e * e);
-    }
+    for (const ModalSpring& spring : structure.springs)
+        energy += energy_of(spring.law, elongation(spring, q));
     return energy;
 }
 
@@ -47,8 +45,8 @@ EnergyBalance closed_balance(EnergyBalance balance, const ModalStructure& struct
                         std::abs(structure.load[j]) * most_q;
     }
     for (const ModalSpring& spring : structure.springs) {
-        const double e = dot_of_sizes(spring.row, travel.most_q);
-        balance.held += 0.25 * std::abs(spring.cubic) * (e * e) * (e * e);
+        const double e = elongation_size(spring, travel.most_q);
+        balance.held += std::max(std::abs(energy_of(spring.law, e)), std::abs(energy_of(spring.law, -e)));
     }
     if (structure.fastest > 0.0)
         balance.carried = dot(structure.load, structure.load) / (structure.fastest * structure.fastest);

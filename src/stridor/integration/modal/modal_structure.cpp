@@ -96,6 +96,14 @@ double dot_of_sizes(std::span<const double> a, std::span<const double> b) {
     return sum_of_terms(a.size(), [&](std::size_t j) { return std::abs(a[j] * b[j]); });
 }
 
+double elongation(const ModalSpring& spring, std::span<const double> q) {
+    return dot(spring.row, q) + spring.rest;
+}
+
+double elongation_size(const ModalSpring& spring, std::span<const double> q) {
+    return dot_of_sizes(spring.row, q) + std::abs(spring.rest);
+}
+
 double gap(const ModalContact& contact, std::span<const double> q) {
     return dot(contact.normal, q) + contact.initial_gap;
 }
@@ -138,8 +146,8 @@ ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd
         modal.contacts.push_back(modal_contact(structure.contacts[k], modal.shapes));
         modal.number.push_back(k);
     }
-    for (const model::CubicSpring& spring : structure.springs)
-        modal.springs.push_back({numbers_of(modal.shapes.transpose() * spring.direction), spring.cubic});
+    for (const model::Spring& spring : structure.springs)
+        modal.springs.push_back({numbers_of(modal.shapes.transpose() * spring.direction), spring.law, spring.rest});
     modal.compliance = compliance_of(modal.contacts, modal.modes());
     const double square = std::max(std::abs(modal.square_frequency.front()), modal.square_frequency.back());
     modal.fastest = 1.1 * std::sqrt(square) + damping.cwiseAbs().rowwise().sum().maxCoeff();

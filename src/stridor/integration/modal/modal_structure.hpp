@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/model/spring.hpp"
 #include "stridor/model/structure.hpp"
 
 #include <Eigen/Core>
@@ -23,10 +24,11 @@ struct ModalContact {
     double creep_speed = 0.0;              // [m/s] below which a slip counts as a stick; 0: never
 };
 
-/// A cubic spring as the modes of its structure see it.
+/// A spring as the modes of its structure see it.
 struct ModalSpring {
     std::vector<double> row;  // [1/√kg] of its elongation, shape [mode]
-    double cubic = 0.0;       // [N/m³]
+    model::SpringLaw law{};
+    double rest = 0.0;  // [m] its elongation where q = 0
 };
 
 /// Where normals and tangents of contacts stand in one list of rows: n0, t0, n1, t1, ...; a second tangent stands
@@ -50,6 +52,10 @@ double drive_share_of(const std::vector<ModalContact>& contacts, const ContactRo
 double dot(std::span<const double> a, std::span<const double> b);
 double dot_of_sizes(std::span<const double> a, std::span<const double> b);
 
+/// Elongation of a spring [m] from coordinates, and the sum of its terms' sizes, which rounding works on.
+double elongation(const ModalSpring& spring, std::span<const double> q);
+double elongation_size(const ModalSpring& spring, std::span<const double> q);
+
 /// Gap [m], its rate [m/s] and the slip velocity [m/s] of a contact, from coordinates or their rates and the surface's
 /// velocity [m/s].
 double gap(const ModalContact& contact, std::span<const double> q);
@@ -58,7 +64,7 @@ double slip_velocity(const ModalContact& contact, std::span<const double> v, dou
 
 /// A structure in the coordinates of its free eigenmodes, u = Φ q with Φ'M Φ = 1 and Φ'K Φ = diag(ω²):
 ///
-///     q'' = f - ω² q - C q' - Σ d k3 (d.q)³ + Σ (n N + t T)
+///     q'' = f - ω² q - C q' - Σ d F(e0 + d.q) + Σ (n N + t T)
 ///
 /// Its contacts stand in an order of their own, by their rows, so that results do not depend on how a user numbers
 /// them.
@@ -72,7 +78,7 @@ struct ModalStructure {
     std::vector<ModalSpring> springs;
     std::vector<std::size_t> number;  // of each contact in the structure's list
     Eigen::MatrixXd compliance;       // [1/kg] W, rows and columns n0, t0, n1, t1, ...
-    double fastest = 0.0;             // [1/s] bound of the rates of its free motion without cubic springs
+    double fastest = 0.0;             // [1/s] bound of the rates of its free motion without its springs
 
     std::size_t modes() const { return square_frequency.size(); }
     bool is_damped_by_mode() const { return damping.size() == modes(); }

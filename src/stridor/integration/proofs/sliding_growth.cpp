@@ -3,6 +3,7 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/model/equilibrium.hpp"
+#include "stridor/model/linearised.hpp"
 #include "stridor/model/sliding_motion.hpp"
 
 #include <algorithm>
@@ -49,12 +50,13 @@ std::vector<ContactState> usual_states(const record::Tally& tally) {
     return states;
 }
 
-// [N] of the contacts where all of it rests, moving with none of them, shape [contact]; those of open ones are
-// infinite, and all where some stick
-std::vector<double> normal_forces(const model::Structure& structure, const std::vector<ContactState>& states,
-                                  const std::vector<double>& ratios) {
-    std::vector<double> forces(states.size(), std::numeric_limits<double>::infinity());
-    if (std::find(states.begin(), states.end(), ContactState::stick) != states.end()) return forces;
+bool has_stick(const std::vector<ContactState>& states) {
+    return std::find(states.begin(), states.end(), ContactState::stick) != states.end();
+}
+
+// where all of it rests, moving with none of the contacts, of which none sticks
+model::Equilibrium rest_of(const model::Structure& structure, const std::vector<ContactState>& states,
+                           const std::vector<double>& ratios) {
     model::Structure closed = structure;
     closed.contacts.clear();
     std::vector<double> of_closed;
@@ -63,7 +65,15 @@ std::vector<double> normal_forces(const model::Structure& structure, const std::
         closed.contacts.push_back(structure.contacts[k]);
         of_closed.push_back(ratios[k]);
     }
-    const VectorXd found = model::equilibrium(closed, of_closed).normal_forces;
+    return model::equilibrium(closed, of_closed);
+}
+
+// [N] of the contacts where all of it rests, shape [contact]; those of open ones are infinite, and all where some stick
+std::vector<double> normal_forces(const model::Structure& structure, const std::vector<ContactState>& states,
+                                  const std::vector<double>& ratios) {
+    std::vector<double> forces(states.size(), std::numeric_limits<double>::infinity());
+    if (has_stick(states)) return forces;
+    const VectorXd found = rest_of(structure, states, ratios).normal_forces;
     Index row = 0;
     for (std::size_t k = 0; k < states.size(); ++k)
         if (states[k] != ContactState::separation) forces[k] = found(row++);
@@ -131,15 +141,13 @@ bool has_slopes(const model::Structure& structure) {
 // nothing where sliding lasts
 std::optional<Growing> growing_near(const model::Structure& structure, const std::vector<ContactState>& states,
                                     const record::Tally& tally, double surface_velocity) {
-    // small disturbances of what the springs are at rest tell nothing of a motion that is not small
-    if (!structure.springs.empty()) return std::nullopt;
     const std::vector<double> ratios = model::sliding_ratios(structure, surface_velocity);
     model::SlidingMotion motion = model::sliding_motion(structure, states, ratios);
     if (motion.held.cols() > motion.held.rows() || !has_inertia(motion)) return std::nullopt;
     const std::vector<double> forces = normal_forces(structure, states, ratios);
     if (has_slopes(structure)) {
         // what pushes a contact beside one that sticks is not known
-        if (std::find(states.begin(), states.end(), ContactState::stick) != states.end()) return std::nullopt;
+        if (has_stick(states)) return std::nullopt;
         add_slopes(motion, structure, states, surface_velocity,
                    Eigen::Map<const VectorXd>(forces.data(), static_cast<Index>(forces.size())));
     }
@@ -153,6 +161,20 @@ std::optional<Growing> growing_near(const model::Structure& structure, const std
     return Growing{fastest, times_larger(structure, motion, states, forces, tally, surface_velocity)};
 }
 
+// With springs: small disturbances of a rest that sliding has. Where it has none it does not last. When a growing one
+// ends the sliding is not told: it is not small then, and springs that stiffen may hold it.
+std::optional<Growing> growing_on_springs(const model::Structure& structure, const std::vector<ContactState>& states,
+                                          const record::Tally& tally, double surface_velocity) {
+    // beside a contact that sticks they are stretched ever more
+    if (has_stick(states)) return std::nullopt;
+    const model::Equilibrium rest = rest_of(structure, states, model::sliding_ratios(structure, surface_velocity));
+    if (!rest.displacement.allFinite()) return Growing{};
+    std::optional<Growing> found =
+        growing_near(model::linearised_at(structure, rest.displacement), states, tally, surface_velocity);
+    if (found) found->times_larger.reset();
+    return found;
+}
+
 }  // namespace
 
 void tell_growth(const model::Structure& structure, const SteadyRun& run, std::vector<record::Tally>& phases) {
@@ -162,7 +184,8 @@ void tell_growth(const model::Structure& structure, const SteadyRun& run, std::v
     for (record::Tally& tally : phases) {
         const auto is_meant = [&](const record::ContactTally& contact) { return is_asked(contact, run.least_slip); };
         if (std::none_of(tally.contacts.begin(), tally.contacts.end(), is_meant)) continue;
-        const std::optional<Growing> found = growing_near(structure, usual_states(tally), tally, run.surface_velocity);
+        const auto growing = structure.springs.empty() ? growing_near : growing_on_springs;
+        const std::optional<Growing> found = growing(structure, usual_states(tally), tally, run.surface_velocity);
         if (!found) continue;
         for (record::ContactTally& contact : tally.contacts) {
             if (!is_meant(contact)) continue;

@@ -42,7 +42,7 @@ std::vector<Asked> demands_of(const model::Structure& structure) {
         asked.push_back({Demand::growing_friction});
     if (has([](const ContactPoint& contact) { return has_friction_state(contact.friction); }))
         asked.push_back({Demand::friction_state});
-    if (!structure.springs.empty()) asked.push_back({Demand::cubic_springs});
+    if (!structure.springs.empty()) asked.push_back({Demand::other_springs});
     return asked;
 }
 

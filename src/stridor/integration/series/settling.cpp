@@ -23,6 +23,8 @@ double free_energy(const ModalStructure& structure, const TaylorState& state) {
     for (std::size_t j = 0; j < state.q.size(); ++j)
         energy += 0.5 * state.v[j] * state.v[j] +
                   (0.5 * structure.square_frequency[j] * state.q[j] - structure.load[j]) * state.q[j];
+    for (const ModalSpring& spring : structure.springs)
+        energy += energy_of(spring.law, elongation(spring, state.q));
     return energy;
 }
 

@@ -21,8 +21,8 @@ struct Taylor {
 ///
 /// Between events the motion is a power series in the coordinates of the free eigenmodes; the instants at which a
 /// contact changes are zeros of polynomials, found with certainty and to rounding. What happens there is the same rule
-/// for any number of contacts (`Settling`). Friction may change with the slip velocity, and springs may be cubic: both
-/// are expanded, too, and nothing is then proven to last but a cycle. See docs/methods/many-contacts.md and
+/// for any number of contacts (`Settling`). Friction may change with the slip velocity, and springs need not be linear:
+/// both are expanded, too, and nothing is then proven to last but a cycle. See docs/methods/many-contacts.md and
 /// docs/methods/friction-series.md.
 ///
 /// Costs: some 25 (4 n a + a²) operations a block of 2/Omega, a the closed and stuck contacts, and three blocks an

@@ -149,7 +149,7 @@ TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
     Rows rows = listed(set);
     if (rows.count() == 0) return rows;
     const Eigen::MatrixXd inverse = inverted(set, rows);
-    if (rows.is_singular || !rows.rubbed.empty() || !structure_.springs.empty()) return rows;
+    if (rows.is_singular || is_expanded_stepwise(rows)) return rows;
     if (registers_ == 1 && rows.count() <= lanes) rows.eliminated = eliminated(rows, inverse);
     return rows;
 }
@@ -199,7 +199,7 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, s
     std::copy(q.begin(), q.end(), q_.front().at);
     std::copy(v.begin(), v.end(), v_.front().at);
     std::copy(friction_states.begin(), friction_states.end(), friction_states_.begin());
-    if (!rows_->rubbed.empty() || !structure_.springs.empty()) return expand_rubbing();
+    if (is_expanded_stepwise(*rows_)) return expand_rubbing();
     kernel_.expand(problem(), order_, room());
     store_forces();
 }
@@ -273,8 +273,9 @@ const std::vector<double>& TaylorBlock::acceleration_sizes() const {
                 size[j] += std::abs(structure_.damping[k * modes_ + j] * v[k]);
     for (const ModalSpring& spring : structure_.springs) {
         // sum of the force's terms, and what rounding of e makes of it
-        const double e = dot(spring.row, q);
-        const double force = std::abs(spring.cubic) * e * e * (std::abs(e) + 3.0 * dot_of_sizes(spring.row, q));
+        const double e = elongation(spring, q);
+        const double force =
+            std::abs(force_of(spring.law, e)) + std::abs(stiffness_of(spring.law, e)) * elongation_size(spring, q);
         for (std::size_t j = 0; j < modes_; ++j)
             size[j] += force * std::abs(spring.row[j]);
     }
@@ -358,7 +359,7 @@ void TaylorBlock::acceleration_at(double theta, std::span<double> a) const {
 }
 
 double TaylorBlock::reach() const {
-    if (!rubbing_.empty() || !structure_.springs.empty()) return 1.0;  // the block was shortened to it
+    if (is_expanded_stepwise(*rows_)) return 1.0;  // the block was shortened to it
     double last = 0.0, largest = 0.0;
     const std::span<const double> end = coefficient(v_, order_ + 1);
     for (std::size_t j = 0; j < modes_; ++j)

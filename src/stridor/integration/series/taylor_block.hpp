@@ -5,6 +5,7 @@
 #include "stridor/integration/rules/contact_mode.hpp"
 #include "stridor/integration/series/block_order.hpp"
 #include "stridor/model/friction/friction_jet.hpp"
+#include "stridor/model/spring.hpp"
 
 #include <array>
 #include <cstddef>
@@ -44,8 +45,9 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 /// when N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series
 /// then ends where that of the ratio does: the block is shortened until its last terms are rounding.
 ///
-/// A cubic spring pushes with k3 e³ along its direction. Each coefficient follows from e_0..e_m, so from q_0..q_m,
-/// and joins a_m. Such a series ends where its last terms are rounding, too.
+/// A spring pushes with -F(e) along its direction. Each coefficient of F follows from e_0..e_m, so from q_0..q_m
+/// (model/spring.hpp), and joins a_m. Such a series ends where its last terms are rounding, too, and at
+/// the corners of F.
 ///
 /// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.
 class TaylorBlock {
@@ -108,7 +110,7 @@ public:
     double reach() const;
 
     /// First place, up to `reach`, at which a slip velocity leaves the stretch of speeds that its friction was expanded
-    /// for; `reach` if none does.
+    /// for, or an elongation that of its spring; `reach` if none does.
     double stretch_end(double reach) const;
 
 private:
@@ -135,7 +137,7 @@ private:
         double sign = 1.0;        // of the slip velocity
         double state_sign = 1.0;  // of the friction state
         model::FrictionJet jet;
-        model::SpeedStretch stretch{};
+        model::SmoothStretch stretch{};
         double corner_rounding = 0.0;  // [m/s]
         BlockSeries speed{};           // [m/s]
         BlockSeries ratio{};           // [1]
@@ -143,12 +145,16 @@ private:
         BlockSeries known{};           // [N] of T, without what the normal force of the same power adds
     };
 
-    // elongation of a cubic spring along the block
+    // elongation of a spring along the block
     struct Stretching {
         BlockSeries elongation{};  // [m]
-        BlockSeries square{};      // [m²] its square
+        BlockSeries force{};       // [N]
+        model::SpringTerms terms{};
+        double corner_rounding = 0.0;  // [m]
     };
 
+    // does each coefficient add forces that follow from those before: of springs, of friction that changes?
+    bool is_expanded_stepwise(const Rows& rows) const { return !rows.rubbed.empty() || !structure_.springs.empty(); }
     Rows prepare(const ContactSet& set) const;
     Rows listed(const ContactSet& set) const;
     Eigen::MatrixXd products(const ContactSet& set, const Rows& rows) const;
@@ -166,6 +172,7 @@ private:
     Eigen::MatrixXd inverted(const ContactSet& set, Rows& rows) const;
     void expand_rubbing();
     void begin_rubbing();
+    void begin_stretching();
     void stretch(std::size_t m, Lanes* acceleration);
     void rub(std::size_t m, Lanes* acceleration);
     double reached_share() const;

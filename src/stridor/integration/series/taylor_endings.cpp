@@ -75,9 +75,9 @@ double TaylorRun::distance(const Event& a, const Event& b) const {
         scale += std::abs(a.v[j]);
     }
     for (const ModalSpring& spring : structure_.springs) {
-        const double from = dot(spring.row, a.q), to = dot(spring.row, b.q);
-        difference +=
-            std::sqrt(3.0 * std::abs(spring.cubic)) * std::max(std::abs(from), std::abs(to)) * std::abs(from - to);
+        const double from = elongation(spring, a.q), to = elongation(spring, b.q);
+        const double slope = std::max(std::abs(stiffness_of(spring.law, from)), std::abs(stiffness_of(spring.law, to)));
+        difference += std::sqrt(slope) * std::abs(from - to);
     }
     // a limit that still grows is no return: it only rises, but what it ends may come later
     for (std::size_t k = 0; k < a.grown.size(); ++k)

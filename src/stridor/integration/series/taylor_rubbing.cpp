@@ -1,4 +1,4 @@
-// Blocks with cubic springs, and those in which contacts slip whose ratio T/N changes with the slip velocity
+// Blocks with springs, and those in which contacts slip whose ratio T/N changes with the slip velocity
 // (taylor_block.hpp).
 
 #include "stridor/integration/rules/contact_mode_of.hpp"
@@ -16,6 +16,7 @@ namespace stridor::integration {
 namespace {
 
 constexpr double stretch_rounding = 1e-13;    // [1] of a speed's terms: it stands on a corner of its law
+constexpr double corner_width = 4.0;          // of that rounding: a spring within it stands on a corner of its force
 constexpr double first_shortening = 0x1p-12;  // of a block in which a coefficient left double precision
 constexpr double least_share = 0x1p-120;      // of the longest block: shorter ones come to no end
 constexpr double least_advance = 0x1p-20;     // of a block that a corner ends: motion goes on
@@ -26,11 +27,6 @@ double product_without_first(const BlockSeries& a, const BlockSeries& b, std::si
     for (std::size_t j = 1; j <= m; ++j)
         sum += a[j] * b[m - j];
     return sum;
-}
-
-// sum of a_j b_(m-j), j = 0..m
-double product(const BlockSeries& a, const BlockSeries& b, std::size_t m) {
-    return a[0] * b[m] + product_without_first(a, b, m);
 }
 
 // c_m share^m
@@ -86,15 +82,27 @@ void TaylorBlock::begin_rubbing() {
         1.0 / (W(normal, normal) + rubbing_.front().ratio[0] * W(normal, normal + 1));
 }
 
+// the stretch of each spring around its elongation; on a corner the one into which it moves
+void TaylorBlock::begin_stretching() {
+    const std::span<const double> q = coefficient(q_, 0), v = coefficient(v_, 0);
+    for (std::size_t k = 0; k < stretching_.size(); ++k) {
+        const ModalSpring& spring = structure_.springs[k];
+        Stretching& at = stretching_[k];
+        at.corner_rounding = stretch_rounding * elongation_size(spring, q);
+        const model::CornerSide side = dot(spring.row, v) > 0.0 ? model::CornerSide::above : model::CornerSide::below;
+        at.terms.stretch = elongation_stretch(spring.law, elongation(spring, q), at.corner_rounding, side);
+    }
+}
+
 // what the springs push in this coefficient
 void TaylorBlock::stretch(std::size_t m, Lanes* acceleration) {
     const std::span<const double> q = coefficient(q_, static_cast<int>(m));
     for (std::size_t k = 0; k < stretching_.size(); ++k) {
         const ModalSpring& spring = structure_.springs[k];
         Stretching& at = stretching_[k];
-        at.elongation[m] = dot(spring.row, q);
-        at.square[m] = product(at.elongation, at.elongation, m);
-        const double force = spring.cubic * product(at.square, at.elongation, m);
+        at.elongation[m] = m == 0 ? elongation(spring, q) : dot(spring.row, q);
+        at.terms.elongation = {at.elongation.data(), m + 1};
+        const double force = at.force[m] = next_force(spring.law, at.terms);
         for (std::size_t j = 0; j < modes_; ++j)
             number_in(acceleration, j) -= force * spring.row[j];
     }
@@ -147,11 +155,15 @@ double TaylorBlock::reached_share() const {
         for (std::size_t m = 0; m < static_cast<std::size_t>(order_); ++m)
             power *= share;
         if (!(power * std::max(end, behind * share) <= series_rounding * whole_of(first, share))) return false;
-        return std::all_of(rubbing_.begin(), rubbing_.end(), [&](const Rubbing& slip) {
-            const BlockSeries& s = slip.state;
-            const First state{std::abs(s[0]), std::abs(s[1]), std::abs(s[2]), std::abs(s[3])};
-            return power * std::abs(s[static_cast<std::size_t>(order_)]) <= series_rounding * whole_of(state, share);
-        });
+        const auto is_rounding = [&](const BlockSeries& s) {
+            const First begin{std::abs(s[0]), std::abs(s[1]), std::abs(s[2]), std::abs(s[3])};
+            return power * std::abs(s[static_cast<std::size_t>(order_)]) <= series_rounding * whole_of(begin, share);
+        };
+        // where a contact sticks its velocity tells nothing of the force that springs need
+        return std::all_of(rubbing_.begin(), rubbing_.end(),
+                           [&](const Rubbing& slip) { return is_rounding(slip.state); }) &&
+               std::all_of(stretching_.begin(), stretching_.end(),
+                           [&](const Stretching& at) { return is_rounding(at.force); });
     };
     double share = 1.0;
     while (!is_reached(share) && share > least_share)
@@ -181,6 +193,8 @@ void TaylorBlock::shorten(double share) {
     for (Rubbing& slip : rubbing_)
         for (BlockSeries* series : {&slip.speed, &slip.ratio, &slip.state, &slip.known})
             scale_powers(*series, share);
+    for (Stretching& at : stretching_)
+        scale_powers(at.elongation, share);
 }
 
 // up to the highest order: the last coefficients tell how far the series reaches
@@ -188,6 +202,7 @@ void TaylorBlock::expand_rubbing() {
     order_ = highest_;
     for (bool is_number = false; !is_number && length_ > least_share * step_;) {
         begin_rubbing();
+        begin_stretching();
         SeriesProblem rubbed = problem();
         rubbed.rub = [](void* block, std::size_t m, Lanes* acceleration) {
             static_cast<TaylorBlock*>(block)->stretch(m, acceleration);
@@ -217,19 +232,33 @@ void TaylorBlock::move_friction_states(double theta, std::span<double> friction_
 
 double TaylorBlock::stretch_end(double reach) const {
     double end = reach;
-    const auto leave = [&](const Rubbing& slip, double corner, double sign) {
-        if (!std::isfinite(corner)) return;
+    // first place at which sign times the series reaches that of the corner
+    const auto place_at = [&](const BlockSeries& series, double corner, double sign, double rounding) {
         BlockSeries left;
         for (std::size_t m = 0; m < left.size(); ++m)
-            left[m] = -sign * slip.speed[m];
+            left[m] = -sign * series[m];
         left[0] += sign * corner;
-        const int dropped = std::abs(left[0]) <= slip.corner_rounding ? 1 : 0;
-        const double place = first_zero(left, dropped, end);
+        return first_zero(left, std::abs(left[0]) <= rounding ? 1 : 0, end);
+    };
+    const auto leave = [&](const Rubbing& slip, double corner, double sign) {
+        if (!std::isfinite(corner)) return;
+        const double place = place_at(slip.speed, corner, sign, slip.corner_rounding);
         if (place < end) end = std::max(place, std::min(least_advance, end));
     };
     for (const Rubbing& slip : rubbing_) {
         leave(slip, slip.stretch.to, 1.0);
         leave(slip, slip.stretch.from, -1.0);
+    }
+    // a spring may rest on a corner: it has left it when it is beyond rounding
+    const auto leave_corner = [&](const Stretching& at, double corner, double sign) {
+        if (!std::isfinite(corner)) return;
+        const double beyond = corner + sign * corner_width * at.corner_rounding;
+        const double place = place_at(at.elongation, beyond, sign, 0.0);
+        if (place < end) end = std::max(place, std::min(least_advance, end));
+    };
+    for (const Stretching& at : stretching_) {
+        leave_corner(at, at.terms.stretch.to, 1.0);
+        leave_corner(at, at.terms.stretch.from, -1.0);
     }
     return end;
 }

@@ -4,6 +4,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
@@ -39,6 +40,10 @@ TomlValue value_in(const parameters::OwnContact& contact, const ContactField& fi
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* words = std::get_if<std::string>(&value)) return *words;
     return std::get<std::vector<double>>(value);
+}
+
+TomlValue value_in(const parameters::OwnSpring& spring, const parameters::SpringField& field) {
+    return std::visit([](auto value) { return TomlValue(std::move(value)); }, value_of(spring, field));
 }
 
 TomlRows rows_of(std::span<const double> matrix, std::size_t rows) {
@@ -166,7 +171,7 @@ private:
         add_list("initial_velocity", own.initial_velocity);
     }
 
-    // a builder makes its contacts, and no outputs
+    // a builder makes its contacts, and neither outputs nor springs
     void add_tables(const OwnStructure& own) {
         for (std::size_t k = 0; !own.recipe && k < own.contacts.size(); ++k) {
             open_next("structure.contact", k);
@@ -180,6 +185,11 @@ private:
             open_next("structure.output", k);
             add("name", own.outputs[k].name);
             add("direction", own.outputs[k].weights);
+        }
+        for (std::size_t k = 0; k < own.springs.size(); ++k) {
+            open_next("structure.spring", k);
+            for (const parameters::SpringField& field : parameters::spring_fields())
+                if (!is_usual(own.springs[k], field)) add(field.key, value_in(own.springs[k], field));
         }
     }
 

@@ -8,6 +8,7 @@
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/field_name.hpp"
+#include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
@@ -242,6 +243,18 @@ void add_structure_keys(Json& section) {
     output["properties"]["direction"] = direction;
     output["required"] = {"direction"};
     properties["output"] = list_of(std::move(output));
+    Json spring = section_schema();
+    for (const std::string_view key : structure_keys(StructureKeys::of_spring))
+        spring["properties"][std::string(key)] = text;
+    for (const parameters::SpringField& field : parameters::spring_fields()) {
+        Json& property = spring["properties"][std::string(field.key)];
+        if (field.key == "direction") property = direction;
+        if (field.key == "interpolation") property = {{"enum", parameters::interpolation_names}};
+        const bool has_unit = !field.unit.empty() && field.unit != "1";
+        property["description"] = std::string(field.sentence) + (has_unit ? "; " + std::string(field.unit) : "");
+    }
+    spring["required"] = {"direction"};
+    properties["spring"] = list_of(std::move(spring));
 }
 
 // [structure] in the place of [joint] and [plate]

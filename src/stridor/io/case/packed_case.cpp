@@ -5,6 +5,7 @@
 #include "stridor/io/case/case_document.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
+#include "stridor/parameters/own_spring.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <algorithm>
@@ -36,7 +37,8 @@ using parameters::OwnStructure;
 
 constexpr std::string_view packed_mark = "stridor.case/2";
 constexpr std::string_view first_mark = "stridor.case/1";
-constexpr std::uint64_t longest_list = 65536;  // [1] of rows, contacts, outputs: more are broken bytes
+constexpr double without_springs = 1.0, with_springs = 2.0;  // what follows of a structure that matrices gave
+constexpr std::uint64_t longest_list = 65536;                // [1] of rows, contacts, outputs: more are broken bytes
 
 /// Puts members into bytes.
 class Packer {
@@ -181,6 +183,22 @@ void pass_structure(Archive& pass, Structure& own, const Keys& keys) {
     }
 }
 
+// a form that came later, behind all else
+template <typename Archive, typename Structure>
+void pass_springs(Archive& pass, Structure& own) {
+    for (std::size_t k = 0, count = pass.count(own.springs); k < count; ++k) {
+        auto& spring = own.springs[k];
+        pass(spring.name), pass(spring.direction), pass(spring.stiffness), pass(spring.cubic), pass(spring.force);
+        pass(spring.deflection), pass(spring.exponent), pass(spring.gap), pass(spring.preload_share);
+        pass(spring.table.deflections), pass(spring.table.forces);
+        double interpolation = static_cast<double>(spring.interpolation);
+        pass(interpolation);
+        if constexpr (!std::is_const_v<Structure>)
+            spring.interpolation =
+                interpolation == 0.0 ? parameters::Interpolation::cubic : parameters::Interpolation::linear;
+    }
+}
+
 template <typename Archive, typename Entries>
 void pass_entries(Archive& pass, Entries& entries) {
     const auto pass_number = [&](auto& value) {
@@ -205,6 +223,9 @@ bool has_its_shape(const OwnStructure& own) {
         is_good = is_good && fits(contact.normal) && fits(contact.tangent) && fits_or_is_none(contact.second_tangent);
     for (const OwnOutput& output : own.outputs)
         is_good = is_good && fits(output.weights);
+    for (const parameters::OwnSpring& spring : own.springs)
+        is_good = is_good && fits(spring.direction) && spring.table.forces.size() == spring.table.deflections.size() &&
+                  !problem_of(spring);
     for (const OutlinePoint& point : own.outline)
         is_good = is_good && fits(point.along) && fits(point.across);
     return is_good && !own.contacts.empty();
@@ -224,8 +245,10 @@ std::string packed_case(const Case& c) {
     packer(packed_mark);
     pass_entries(packer, document.entries);
     packer(c.drive.times), packer(c.drive.velocities);
-    packer(is_given ? 1.0 : 0.0);
+    const bool has_springs = is_given && !c.own_structure->springs.empty();
+    packer(has_springs ? with_springs : is_given ? without_springs : 0.0);
     if (is_given) packer(keys), pass_structure(packer, *c.own_structure, keys);
+    if (has_springs) pass_springs(packer, *c.own_structure);
     return packer.take();
 }
 
@@ -245,6 +268,7 @@ Case unpacked_case(std::string_view bytes) {
     if (!unpacker.is_good() || times.size() != velocities.size() || !are_of_contacts(keys)) refuse_bytes();
     const auto own = std::make_shared<OwnStructure>();
     if (is_given != 0.0) pass_structure(unpacker, *own, keys);
+    if (is_given == with_springs) pass_springs(unpacker, *own);
     if (!unpacker.is_complete() || (is_given != 0.0 && !has_its_shape(*own))) refuse_bytes();
     if (is_of_first_form) document = parse_toml({text, document.name, {}});
     CaseReaders readers;

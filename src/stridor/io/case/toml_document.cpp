@@ -206,8 +206,10 @@ TomlValue value_of(const toml::node& node) {
 // Keys are five names long at most ("temperature.joint.lip2.contact.kinetic_friction"); what lies deeper hangs on a key
 // that is unknown already.
 constexpr int deepest = 5;
-// what may be there several times: [[joint]], [[structure.contact]], [[structure.output]], and [[pair]] of another file
-constexpr std::array<std::string_view, 4> listed_sections{"joint", "structure.contact", "structure.output", "pair"};
+// what may be there several times: [[joint]], [[structure.contact]], [[structure.output]], [[structure.spring]], and
+// [[pair]] of another file
+constexpr std::array<std::string_view, 5> listed_sections{"joint", "structure.contact", "structure.output",
+                                                          "structure.spring", "pair"};
 
 bool is_list_of_tables(const toml::node& node) {
     const toml::array* list = node.as_array();

@@ -5,6 +5,7 @@
 #include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
+#include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -190,6 +191,7 @@ std::string_view unit_of_entry(const std::string& table, std::string_view name) 
         {{"rayleigh_mass", "1/s"}, {"rayleigh_stiffness", "s"}, {"left_out_above", "Hz"}}};
     if (table == "temperature") return name == "at" ? "degC" : parameters::unit_of(name);
     if (table.starts_with("structure.contact.")) return parameters::contact_field(name).unit;
+    if (table.starts_with("structure.spring.")) return parameters::spring_field(name).unit;
     for (const auto& [key, unit] : of_matrices)
         if (key == name) return unit;
     return parameters::unit_of(table + "." + std::string(name));

@@ -191,8 +191,7 @@ ModelCoefficients model_coefficients(const FrictionTrace& trace) {
     return {mu_s, mu_d, has_static};
 }
 
-// a TOML string
-std::string quoted(const std::string& text) {
+std::string toml_string(const std::string& text) {
     return base::text_of(Json(text));
 }
 
@@ -200,14 +199,15 @@ std::string quoted(const std::string& text) {
 
 std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions) {
     const auto [mu_s, mu_d, has_static] = model_coefficients(measured.trace);
-    std::string row = "[[pair]]\nname = " + quoted(conditions.name) + "\nsource = " + quoted(measured.test.file) + "\n";
+    std::string row =
+        "[[pair]]\nname = " + toml_string(conditions.name) + "\nsource = " + toml_string(measured.test.file) + "\n";
     if (!conditions.temperature.empty()) {
         base::parse_quantity(conditions.temperature, "degC");
-        row += "temperature = " + quoted(conditions.temperature) + "\n";
+        row += "temperature = " + toml_string(conditions.temperature) + "\n";
     }
     if (!conditions.humidity.empty()) {
         base::parse_quantity(conditions.humidity, "%");
-        row += "humidity = " + quoted(conditions.humidity) + "\n";
+        row += "humidity = " + toml_string(conditions.humidity) + "\n";
     }
     row += fmt::format("load = \"{:g} N\"\nstatic_friction = {:g}\nkinetic_friction = {:g}\n", measured.test.preload,
                        mu_s, mu_d);

@@ -21,21 +21,6 @@ double power_slope(const Stribeck& law, double speed) {
     return law.exponent * base::power(speed / law.velocity, law.exponent - 1.0) / law.velocity;
 }
 
-// [s/m] of the cubic at the first or last row: that of the parabola through three rows, held to the monotone ones
-double end_slope(double near_width, double far_width, double near, double far) {
-    const double slope = ((2.0 * near_width + far_width) * near - near_width * far) / (near_width + far_width);
-    if (slope * near <= 0.0) return 0.0;
-    if (near * far <= 0.0 && std::abs(slope) > 3.0 * std::abs(near)) return 3.0 * near;
-    return slope;
-}
-
-// the row before a speed within the table
-std::size_t row_before(const MeasuredCurve& curve, double speed) {
-    const auto next = std::upper_bound(curve.speeds.begin(), curve.speeds.end(), speed);
-    const auto row = static_cast<std::size_t>(next - curve.speeds.begin());
-    return std::clamp<std::size_t>(row, 1, curve.speeds.size() - 1) - 1;
-}
-
 // [s/m] between which the slope of a curve stays: of a cubic piece it is a parabola, largest at an end or its top
 SlopeRange range_of(const MeasuredCurve& curve) {
     SlopeRange range;
@@ -43,9 +28,8 @@ SlopeRange range_of(const MeasuredCurve& curve) {
         range.least = std::min(range.least, slope);
         range.most = std::max(range.most, slope);
     };
-    for (std::size_t k = 0; k + 1 < curve.speeds.size(); ++k) {
-        const double secant =
-            (curve.coefficients[k + 1] - curve.coefficients[k]) / (curve.speeds[k + 1] - curve.speeds[k]);
+    for (std::size_t k = 0; k + 1 < curve.places.size(); ++k) {
+        const double secant = (curve.values[k + 1] - curve.values[k]) / (curve.places[k + 1] - curve.places[k]);
         widen(secant);
         if (curve.slopes.empty()) continue;
         const double from = curve.slopes[k], to = curve.slopes[k + 1];
@@ -72,52 +56,18 @@ double Stribeck::resistance_slope(Slip, double speed) const {
     return viscous - fall() * (slope / (1.0 + x)) / (1.0 + x);
 }
 
-MeasuredCurve measured_curve(const std::vector<double>& speeds, const std::vector<double>& coefficients,
-                             parameters::Interpolation interpolation) {
-    MeasuredCurve curve{speeds, coefficients, {}};
-    const std::size_t rows = speeds.size();
-    if (interpolation == parameters::Interpolation::linear || rows < 3) return curve;
-    std::vector<double> widths, secants;
-    for (std::size_t k = 0; k + 1 < rows; ++k) {
-        widths.push_back(speeds[k + 1] - speeds[k]);
-        secants.push_back((coefficients[k + 1] - coefficients[k]) / widths[k]);
-    }
-    curve.slopes.assign(rows, 0.0);
-    for (std::size_t k = 1; k + 1 < rows; ++k) {
-        if (secants[k - 1] * secants[k] <= 0.0) continue;
-        const double before = 2.0 * widths[k] + widths[k - 1], after = widths[k] + 2.0 * widths[k - 1];
-        curve.slopes[k] = (before + after) / (before / secants[k - 1] + after / secants[k]);
-    }
-    curve.slopes.front() = end_slope(widths[0], widths[1], secants[0], secants[1]);
-    curve.slopes.back() = end_slope(widths[rows - 2], widths[rows - 3], secants[rows - 2], secants[rows - 3]);
-    return curve;
-}
-
 double Measured::resistance(Slip, double speed) const {
     const MeasuredCurve& c = *curve;
     // both ends hold
-    if (speed >= c.speeds.back()) return std::min(c.coefficients.back(), static_coefficient);
-    if (speed <= c.speeds.front()) return std::min(c.coefficients.front(), static_coefficient);
-    const std::size_t k = row_before(c, speed);
-    const double width = c.speeds[k + 1] - c.speeds[k], x = (speed - c.speeds[k]) / width;
-    const double rise = c.coefficients[k + 1] - c.coefficients[k];
-    double value = c.coefficients[k] + x * rise;
-    if (!c.slopes.empty()) {
-        const double from = width * c.slopes[k] - rise, to = width * c.slopes[k + 1] - rise;
-        value += x * (1.0 - x) * (from * (1.0 - x) - to * x);
-    }
-    return std::clamp(value, 0.0, static_coefficient);
+    if (speed >= c.places.back()) return std::min(c.values.back(), static_coefficient);
+    if (speed <= c.places.front()) return std::min(c.values.front(), static_coefficient);
+    return std::clamp(value_behind_row(c, row_before(c, speed), speed), 0.0, static_coefficient);
 }
 
 double Measured::resistance_slope(Slip, double speed) const {
     const MeasuredCurve& c = *curve;
-    if (speed >= c.speeds.back() || speed < c.speeds.front()) return 0.0;
-    const std::size_t k = row_before(c, speed);
-    const double width = c.speeds[k + 1] - c.speeds[k], x = (speed - c.speeds[k]) / width;
-    const double secant = (c.coefficients[k + 1] - c.coefficients[k]) / width;
-    if (c.slopes.empty()) return secant;
-    const double from = c.slopes[k] - secant, to = c.slopes[k + 1] - secant;
-    return secant + from * (1.0 - x) * (1.0 - 3.0 * x) + to * x * (3.0 * x - 2.0);
+    if (speed >= c.places.back() || speed < c.places.front()) return 0.0;
+    return slope_behind_row(c, row_before(c, speed), speed);
 }
 
 double Regularised::resistance(Slip, double speed) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
+#include "stridor/model/measured_curve.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <array>
@@ -58,20 +59,11 @@ struct SlopeRange {
     bool operator==(const SlopeRange&) const = default;
 };
 
-/// Most coefficients of a power series along a motion.
-inline constexpr std::size_t most_jet_coefficients = 32;
-
-/// The speeds of slip around one in which a law's resistance is one analytic function. Its corners end it.
-struct SpeedStretch {
-    double from = -std::numeric_limits<double>::infinity();  // [m/s]; without end where a slip begins
-    double to = std::numeric_limits<double>::infinity();     // [m/s]
-};
-
 /// What the recurrences of a law know when they find the next coefficient of its resistance along a motion.
 struct JetTerms {
     std::span<const double> speed{};                                 // [m/s] of slip; its last is of the wanted power
-    SpeedStretch stretch{};                                          // whose function is expanded
-    std::array<double, most_jet_coefficients> resistance{};          // [1] those found
+    SmoothStretch stretch{};                                         // of speeds, whose function is expanded
+    JetSeries resistance{};                                          // [1] those found
     std::array<double, most_jet_coefficients> state{};               // [1] of a law with one, up to the wanted power
     std::array<double, most_jet_coefficients> rate{};                // [1/s] of it: the law adds its own
     std::array<std::array<double, most_jet_coefficients>, 9> own{};  // series that the law keeps beside it
@@ -174,26 +166,12 @@ struct Stribeck {
     bool operator==(const Stribeck&) const = default;
 };
 
-/// A curve through measured rows: straight between them, or cubic without a new peak or valley. Before its first row
-/// and beyond its last one their values hold.
-///
-/// Source: F. N. Fritsch and R. E. Carlson 1980, with the slopes of F. N. Fritsch and J. Butland 1984: at a row the
-/// harmonic mean of those beside it, weighted by their widths, and 0 at a peak or valley.
-struct MeasuredCurve {
-    std::vector<double> speeds;        // [m/s] rising from 0, shape [row]
-    std::vector<double> coefficients;  // [1] shape [row]
-    std::vector<double> slopes;        // [s/m] at the rows if cubic; straight if empty
-    bool operator==(const MeasuredCurve&) const = default;
-};
-/// Returns the curve through rows of speed [m/s] and coefficient [1], two at least.
-MeasuredCurve measured_curve(const std::vector<double>& speeds, const std::vector<double>& coefficients,
-                             parameters::Interpolation interpolation);
-
 /// Friction as measured over the slip velocity:
 ///
 ///     stick  |T| <= mu_s N        slip  T = -sign(w) mu(|w|) N
 ///
-/// mu_s is that of the table at rest, or more: then it drops as a slip begins. Above mu_s no row counts.
+/// mu_s is that of the table at rest, or more: then it drops as a slip begins. Above mu_s no row counts. Before its
+/// first row and beyond its last one their values hold.
 struct Measured {
     static constexpr auto kind = parameters::FrictionKind::table;
 

@@ -18,14 +18,6 @@ concept HasJet = requires(const Law& law, JetTerms& terms) {
     { law.jet(Slip::forward, terms) } -> std::convertible_to<double>;
 };
 
-// sum of a_j b_(m-j), j = first..m
-double convolution(std::span<const double> a, std::span<const double> b, std::size_t first, std::size_t m) {
-    double sum = 0.0;
-    for (std::size_t j = first; j <= m; ++j)
-        sum += a[j] * b[m - j];
-    return sum;
-}
-
 constexpr std::size_t outer = 7;     // of a law's own series, behind those of powers
 constexpr std::size_t quotient = 8;  // behind it
 
@@ -49,7 +41,7 @@ std::span<const double> speed_powers(const Stribeck& law, JetTerms& terms) {
 }
 
 // a speed [m/s] within a stretch
-double middle(const SpeedStretch& stretch) {
+double middle(const SmoothStretch& stretch) {
     const double from = stretch.from > 0.0 ? stretch.from : 0.0;
     return stretch.to < std::numeric_limits<double>::infinity() ? 0.5 * (from + stretch.to) : stretch.to;
 }
@@ -95,45 +87,29 @@ double LuGre::jet(Slip way, JetTerms& terms) const {
 // the rows beyond rest, and where the curve passes mu_s: above it no row counts
 std::vector<double> Measured::corners(Slip way) const {
     std::vector<double> corners;
-    if (curve->speeds.front() > 0.0) corners.push_back(curve->speeds.front());
-    for (std::size_t k = 0; k + 1 < curve->speeds.size(); ++k) {
-        double low = curve->speeds[k], high = curve->speeds[k + 1];
-        const bool begins_below = curve->coefficients[k] < static_coefficient;
-        const bool ends_below = curve->coefficients[k + 1] < static_coefficient;
+    if (curve->places.front() > 0.0) corners.push_back(curve->places.front());
+    for (std::size_t k = 0; k + 1 < curve->places.size(); ++k) {
+        double low = curve->places[k], high = curve->places[k + 1];
+        const bool begins_below = curve->values[k] < static_coefficient;
+        const bool ends_below = curve->values[k + 1] < static_coefficient;
         for (bool halves = begins_below != ends_below; halves;) {
             const double place = 0.5 * (low + high);
             halves = place > low && place < high;
             ((resistance(way, place) < static_coefficient) == begins_below ? low : high) = place;
         }
-        if (begins_below != ends_below && high < curve->speeds[k + 1]) corners.push_back(high);
-        corners.push_back(curve->speeds[k + 1]);
+        if (begins_below != ends_below && high < curve->places[k + 1]) corners.push_back(high);
+        corners.push_back(curve->places[k + 1]);
     }
     return corners;
 }
 
-// within rows that stand h apart, x = (|w| - w_k)/h: mu_k + x d + x (1 - x) (a (1 - x) - b x), a = h s_k - d,
-// b = h s_(k+1) - d
 double Measured::jet(Slip way, JetTerms& terms) const {
     const std::size_t m = terms.last();
     if (m == 0) return resistance(way, terms.speed[0]);
     const double within = middle(terms.stretch);
-    const bool is_level = within < curve->speeds.front() || within >= curve->speeds.back();
+    const bool is_level = within < curve->places.front() || within >= curve->places.back();
     if (is_level || resistance(way, within) >= static_coefficient) return 0.0;
-    const auto next = std::upper_bound(curve->speeds.begin(), curve->speeds.end(), within);
-    const auto k = static_cast<std::size_t>(next - curve->speeds.begin()) - 1;
-    const double h = curve->speeds[k + 1] - curve->speeds[k], d = curve->coefficients[k + 1] - curve->coefficients[k];
-    std::array<double, most_jet_coefficients>&x = terms.own[0], &square = terms.own[1], &cube = terms.own[2];
-    if (m == 1) {
-        x[0] = (terms.speed[0] - curve->speeds[k]) / h;
-        square[0] = x[0] * x[0];
-        cube[0] = square[0] * x[0];
-    }
-    x[m] = terms.speed[m] / h;
-    if (curve->slopes.empty()) return d * x[m];
-    square[m] = convolution(x, x, 0, m);
-    cube[m] = convolution(square, x, 0, m);
-    const double a = h * curve->slopes[k] - d, b = h * curve->slopes[k + 1] - d;
-    return (d + a) * x[m] - (2.0 * a + b) * square[m] + (a + b) * cube[m];
+    return jet_behind_row(*curve, row_before(*curve, within), terms.speed, std::span(terms.own).first<3>());
 }
 
 bool has_jet(const FrictionLaw& law) {
@@ -147,24 +123,15 @@ bool has_jet(const FrictionLaw& law) {
         law);
 }
 
-SpeedStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side) {
-    SpeedStretch stretch;
-    const auto pass = [&](const auto& corners) {
-        for (const double corner : corners) {
-            const bool is_above = side == CornerSide::above ? speed >= corner - rounding : speed > corner + rounding;
-            if (!is_above) {
-                stretch.to = corner;
-                return;
-            }
-            stretch.from = corner;
-        }
-    };
-    std::visit(
+SmoothStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side) {
+    return std::visit(
         [&](const auto& each) {
-            if constexpr (requires { each.corners(way); }) pass(each.corners(way));
+            if constexpr (requires { each.corners(way); })
+                return stretch_between(each.corners(way), speed, rounding, side);
+            else
+                return SmoothStretch{};
         },
         law);
-    return stretch;
 }
 
 double FrictionJet::next(std::span<const double> speed) {

@@ -1,17 +1,15 @@
 #pragma once
 
 #include "stridor/model/friction/friction.hpp"
+#include "stridor/model/measured_curve.hpp"
 
 #include <span>
 
 /// The laws of friction along a motion: with the speed of slip as a power series in time, their resistance is one, too.
 namespace stridor::model {
 
-/// Which stretch a speed belongs to that stands on the corner between two.
-enum class CornerSide { below, above };
-
 /// Returns the stretch of a speed of slip [m/s]; within `rounding` [m/s] of a corner, the one on that side.
-SpeedStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side);
+SmoothStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side);
 
 /// Can the law's resistance be expanded, whatever the speed of slip?
 bool has_jet(const FrictionLaw& law);
@@ -31,7 +29,7 @@ public:
     }
 
     /// Chooses the stretch whose function is expanded; before the second coefficient is asked for.
-    void choose(const SpeedStretch& stretch) { terms_.stretch = stretch; }
+    void choose(const SmoothStretch& stretch) { terms_.stretch = stretch; }
 
     /// Returns the next coefficient, from those of the speed [m/s] up to it.
     double next(std::span<const double> speed);

@@ -26,7 +26,6 @@ constexpr std::array<std::string_view, 11> friction_names{
     "dieterich", "ruina",       "tanh",   "arctan"};
 constexpr std::array<std::string_view, 3> rest_names{"none", "logarithmic", "kato"};
 constexpr std::array<std::string_view, 2> creeping_names{"undecided", "judged"};
-constexpr std::array<std::string_view, 2> interpolation_names{"cubic", "linear"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 4> initial_names{"rest", "stuck", "sliding", "given"};
 constexpr std::array<std::string_view, 4> contact_start_names{"by-motion", "stick", "slip", "separation"};
@@ -138,6 +137,9 @@ const std::array table{
     Field{"structure", "damping_scale", "", "factor of all damping of the user's own structure",
           quantity<&Case::structure_scales, &StructureScales::damping>("1", not_negative, octaves(0.1, 10.0)),
           has_own_structure},
+    Field{"structure", "spring_scale", "", "factor of what its springs push beside the stiffness",
+          quantity<&Case::structure_scales, &StructureScales::springs>("1", not_negative, octaves(0.1, 10.0)),
+          has_springs},
 
     builder_field<"mass">("kg", positive, "of each block of a chain"),
     builder_field<"stiffness">("N/m", positive,

@@ -29,6 +29,9 @@ inline bool follows_humidity(CaseView at) {
 inline bool has_own_structure(CaseView at) {
     return at.c.own_structure != nullptr;
 }
+inline bool has_springs(CaseView at) {
+    return find_nonlinear_spring(at.c) != nullptr;
+}
 inline bool has_preload(CaseView at) {
     return is_preloaded(at.c);
 }

@@ -86,11 +86,11 @@ const Lack lacks[] = {
      "knows no friction with a state of the contact",
      "its steps know contacts that stick, and these creep",
      "Set run.engine = \"exact\"."},
-    {{Demand::cubic_springs},
+    {{Demand::other_springs},
      {Method::exact, Method::moreau, Method::massless, Method::beta_2},
      "knows linear springs only",
      "what it solves between events, or in a step, is linear",
-     "Use the Taylor engine."},
+     "Set run.engine = \"exact\"."},
     {{Demand::massless_rows},
      {Method::exact, Method::taylor, Method::moreau, Method::beta_2},
      "needs mass in each row",
@@ -182,6 +182,8 @@ std::vector<Asked> demands_of(CaseView at) {
             asked.push_back({Demand::two_tangents, where});
             if (contact.friction != FrictionKind::coulomb) asked.push_back({Demand::other_cone, where});
         }
+        if (const OwnSpring* spring = find_nonlinear_spring(c))
+            asked.push_back({Demand::other_springs, "spring \"" + spring->name + "\" is not"});
         if (is_by_force(c.drive) && !c.own_structure->force.empty()) asked.push_back({Demand::imposed_force});
     }
     if (has_several_joints(c)) asked.push_back({Demand::several_contacts});
@@ -215,7 +217,7 @@ DemandKeys keys_of(Demand demand) {
         case Demand::own_structure:
         case Demand::any_size:
         case Demand::two_tangents:
-        case Demand::cubic_springs:
+        case Demand::other_springs:
             break;
     }
     return {"run.engine"};

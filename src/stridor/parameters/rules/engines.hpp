@@ -32,7 +32,7 @@ enum class Demand {
     unexpanded_friction,  // such a law without a power series along the motion
     growing_friction,     // static friction that grows with rest
     friction_state,       // such a law with a state of the contact
-    cubic_springs,        // beside a stiffness matrix
+    other_springs,        // than linear ones
     massless_rows,        // rows without mass
     joint,                // the mass of a joint stands at its contact
 };
@@ -48,7 +48,7 @@ inline constexpr std::array<std::string_view, 14> demand_names{
     "friction without a power series",
     "static friction that grows with rest",
     "friction with a state of the contact",
-    "cubic springs",
+    "springs other than linear ones",
     "rows without mass",
     "the joint on a plate",
 };

@@ -8,9 +8,6 @@
 /// A table of friction over the speed of slip as text: what a case file, `--set` and a stored case say of it.
 namespace stridor::parameters {
 
-/// The rows of a table, at most.
-inline constexpr std::size_t most_friction_rows = 10000;
-
 /// Returns "0: 0.8, 0.01: 0.6", the speed [m/s] and coefficient of each row; the name of its file where that is not
 /// read yet.
 std::string friction_table_text(const FrictionTable& table);

@@ -39,6 +39,8 @@ struct SampleHeader {
 const SampleHeader motion_header{{"time", "s", 0, ""}, {"velocity", "m/s", 1, ""}};
 const SampleHeader friction_header{{"speed", "m/s", 0, ""}, {"friction", "1", 1, ""}};
 
+const SampleHeader force_header{{"deflection", "m", 0, ""}, {"force", "N", 1, ""}};
+
 std::vector<TextLine> table_lines(std::string_view text) {
     std::vector<TextLine> lines;
     int number = 0;
@@ -222,6 +224,12 @@ SampledFriction read_friction_csv(std::string_view text, const std::string& name
 SampledFriction read_friction_file(const std::string& path) {
     const auto bytes = open_plain_bytes(path);
     return read_friction_csv(plain_text(*bytes, path, "a table of friction"), path);
+}
+
+SampledForce read_force_file(const std::string& path) {
+    const auto bytes = open_plain_bytes(path);
+    TwoColumns table = read_two_columns(force_header, plain_text(*bytes, path, "a table of force"), path);
+    return {std::move(table.over), std::move(table.values)};
 }
 
 }  // namespace stridor::recordings

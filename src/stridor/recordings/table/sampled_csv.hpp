@@ -39,4 +39,14 @@ SampledFriction read_friction_csv(std::string_view text, const std::string& name
 /// Reads such a table from a file, as `read_sampled_file` does.
 SampledFriction read_friction_file(const std::string& path);
 
+/// The force of a spring as measured over its deflection.
+struct SampledForce {
+    std::vector<double> deflections;  // [m] strictly increasing, shape [row]
+    std::vector<double> forces;       // [N] shape [row]
+};
+
+/// Reads a table of force over deflection from a file, as `read_sampled_file` does: the columns are deflection (d) and
+/// force (f). Throws as that does.
+SampledForce read_force_file(const std::string& path);
+
 }  // namespace stridor::recordings

@@ -317,15 +317,19 @@ std::vector<OwnContact> contacts_at(const ElasticPart& part, const std::vector<N
     return maker.finish();
 }
 
-namespace {
+std::vector<double> rows_along(const ElasticPart& part, const NamedOutput& named) {
+    return ContactMaker(part).output_rows(named);
+}
 
 // "35.z", "x1 -x2"
-std::string output_name(const NamedOutput& named, std::size_t number) {
+std::string name_of(const NamedOutput& named, const std::string& fallback) {
     if (!named.name.empty()) return named.name;
     const auto* direction = std::get_if<std::string>(&named.direction);
-    if (direction == nullptr) return fmt::format("output{}", number);
+    if (direction == nullptr) return fallback;
     return named.node.empty() ? *direction : named.node + "." + *direction;
 }
+
+namespace {
 
 // labels of a part with those of further rows behind them
 ElasticPart with_recovered(const reduction::Reduction& reduction) {
@@ -365,7 +369,8 @@ std::vector<OwnOutput> outputs_at(const reduction::Reduction& reduction, const s
         auto* numbers = std::get_if<std::vector<double>>(&each.direction);
         if (numbers != nullptr && each.node.empty() && numbers->size() == rows) numbers->resize(labelled.labels.size());
         const std::vector<double> all = maker.output_rows(each);
-        OwnOutput output{output_name(each, outputs.size() + 1), {all.begin(), all.begin() + static_cast<long>(rows)}};
+        OwnOutput output{name_of(each, fmt::format("output{}", outputs.size() + 1)),
+                         {all.begin(), all.begin() + static_cast<long>(rows)}};
         for (std::size_t k = rows; k < all.size(); ++k)
             for (std::size_t row = 0; row < rows; ++row)
                 output.weights[row] +=

@@ -88,6 +88,14 @@ struct NamedOutput {
     base::Place place{};  // where it stands
 };
 
+/// Returns the rows along which such a point moves, at a node or of the rows themselves [1]; shape [row]. Throws
+/// `Error` (input) at the place as `outputs_at`.
+std::vector<double> rows_along(const reduction::ElasticPart& part, const NamedOutput& named);
+
+/// Returns the name of an output, or of what has a node and a direction alike: its own, else made of these, else
+/// `fallback`.
+std::string name_of(const NamedOutput& named, const std::string& fallback);
+
 /// Outputs at the rows of a part, or at further rows whose motion is `recovery` * u (`reduction::Reduction`), shape
 /// [recovered][row].
 ///

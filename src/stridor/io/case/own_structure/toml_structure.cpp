@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/io/case/own_structure/contacts_csv.hpp"
+#include "stridor/io/case/own_structure/structure_springs.hpp"
 #include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/reduction/lowest_modes.hpp"
@@ -77,6 +78,16 @@ void refuse_unknown(const TomlEntry& entry, std::string_view name, std::span<con
                     entry.key_place});
 }
 
+// a list of tables, as [[structure.contact]]
+struct ListedTable {
+    std::string_view opening;  // "structure.contact."
+    std::span<const std::string_view> keys;
+};
+
+bool is_of(const ListedTable& table, std::string_view key) {
+    return key == table.opening.substr(0, table.opening.size() - 1) || stands_below(key, table.opening);
+}
+
 // keys that [structure] does not have, or not with this builder
 void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
     Complaints complaints;
@@ -84,29 +95,26 @@ void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
     if (builder == nullptr) known = joined_keys({common_keys, matrix_keys, number_keys, list_keys, text_keys});
     for (std::size_t k = 0; builder != nullptr && k < builder->keys.size(); ++k)
         known.push_back(builder->keys[k].name);
+    const std::array<ListedTable, 3> tables{
+        ListedTable{contact_opening, contact_keys()}, {output_opening, output_keys}, {spring_opening, spring_keys()}};
     for (const TomlEntry& entry : document.entries) {
         if (!stands_below(entry.key, opening) || is_read_as_field(entry.key)) continue;
-        const bool is_of_contacts = entry.key == "structure.contact" || stands_below(entry.key, contact_opening);
-        const bool is_of_outputs = entry.key == "structure.output" || stands_below(entry.key, output_opening);
-        if (is_of_contacts && builder != nullptr) {
+        const auto table =
+            std::find_if(tables.begin(), tables.end(), [&](const ListedTable& each) { return is_of(each, entry.key); });
+        if (table == tables.begin() && builder != nullptr) {
             complaints.add({ErrorKind::input,
                             {"[[structure.contact]] stands beside a builder", "a builder makes its own contacts", ""},
                             entry.key_place});
             break;
         }
-        if (!is_of_contacts && !is_of_outputs) {
+        if (table == tables.end()) {
             refuse_unknown(entry, std::string_view(entry.key).substr(opening.size()), known, complaints);
             continue;
         }
-        const std::string_view table = is_of_contacts ? contact_opening : output_opening;
-        const std::string_view inner = std::string_view(entry.key).substr(std::min(table.size(), entry.key.size()));
+        const std::string_view inner =
+            std::string_view(entry.key).substr(std::min(table->opening.size(), entry.key.size()));
         const std::size_t point = inner.find('.');
-        if (point == std::string_view::npos) continue;
-        const std::string_view name = inner.substr(point + 1);
-        if (is_of_contacts)
-            refuse_unknown(entry, name, contact_keys(), complaints);
-        else
-            refuse_unknown(entry, name, output_keys, complaints);
+        if (point != std::string_view::npos) refuse_unknown(entry, inner.substr(point + 1), table->keys, complaints);
     }
     complaints.throw_any();
 }
@@ -224,6 +232,7 @@ OwnStructure from_part(const TomlDocument& document, const TomlSection& section)
     const std::vector<NamedContact> contacts = named_contacts(document, section);
     own.contacts = contacts_at(part, contacts);
     share_preload(own, contacts, section.place());
+    own.springs = springs_in(document, part, own);
     reduction::Reduction recovered;
     recovered.part.labels = part.labels;
     recovered.part.sets = part.sets;
@@ -239,6 +248,7 @@ OwnStructure from_builder(const StructureBuilder& builder, const TomlDocument& d
     for (const std::string& row : own.row)
         rows.part.labels.push_back({row, 0});
     own.outputs = outputs_at(rows, named_outputs(document), own.contacts);
+    own.springs = springs_in(document, rows.part, own);
     return own;
 }
 
@@ -281,6 +291,8 @@ std::span<const std::string_view> structure_keys(StructureKeys kind) {
             return contact_keys();
         case StructureKeys::of_output:
             return output_keys;
+        case StructureKeys::of_spring:
+            return spring_keys();
     }
     return {};
 }
@@ -336,6 +348,14 @@ NamedPart part_of_case(const TomlDocument& document) {
 
 std::shared_ptr<const OwnStructure> read_enclosed_structure(const TomlDocument& document) {
     const TomlSection section(document, std::string(opening));
+    for (const TomlEntry& entry : document.entries)
+        if (const auto* text = std::get_if<std::string>(&entry.value);
+            text != nullptr && is_of({spring_opening, {}}, entry.key) && entry.key.ends_with(".table") &&
+            !parameters::parse_force_table(*text).file.empty())
+            throw Error(
+                ErrorKind::input,
+                {entry.key + " names a file", "of a case that is not your own file none is opened", "Give its rows."},
+                entry.value_place);
     // a builder has numbers under its keys
     if (section.has("builder")) return read_own_structure(document);
     const auto is_matrix = [](std::string_view key) {

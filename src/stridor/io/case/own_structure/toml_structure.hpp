@@ -19,6 +19,7 @@ enum class StructureKeys {
     texts,       // file, or a list of them
     of_contact,  // keys of [[structure.contact]]
     of_output,   // keys of [[structure.output]]
+    of_spring,   // keys of [[structure.spring]]
 };
 std::span<const std::string_view> structure_keys(StructureKeys kind);
 
