@@ -114,9 +114,11 @@ Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     };
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
-    const parameters::Case c = io::read_case(document, {keep, readers.structure, readers.friction, readers.pair});
+    const io::CaseReaders keeping{keep, readers.structure, readers.friction, readers.pair};
+    const parameters::Case c = io::read_case(document, keeping);
     preset.structure = c.own_structure;
-    preset.study = io::read_study(source, document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c));
+    const io::AxisTexts axes = document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c);
+    preset.study = io::read_study(document, axes, keeping);
     return preset;
 }
 
