@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import * as api from "./data/api.ts";
+import { oneFile } from "./data/carrier.ts";
 import { withJoints } from "./data/cases.ts";
 import { Latest } from "./data/latest.ts";
 import { Motions } from "./data/motions.ts";
@@ -23,6 +24,7 @@ import { Views } from "./views/views.ts";
 
 const purpose =
   "Change a part and its contact, and see at once whether it squeals, squeaks or creaks, and how to quiet it.";
+const alone = "All is computed in this file: nothing leaves this machine.";
 const unitsKept = "stridor-units"; // in the browser's storage: which units are written
 const tourSeen = "stridor-tour"; // in the session's storage: the tour was begun
 
@@ -149,7 +151,7 @@ class Page {
         "header",
         {},
         h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"),
-        h("p", { class: "purpose" }, purpose),
+        h("p", { class: "purpose", id: "purpose" }, oneFile() ? `${purpose} ${alone}` : purpose),
         tools,
       ),
       this.verdict_.element,

@@ -1,5 +1,6 @@
 /** What the page asks of the server. Every call may be aborted, which ends the work on the other side as well. */
 import { body, type Axis, type Design } from "../state/state.ts";
+import { carry, oneFile } from "./carrier.ts";
 import { Lines, motionOf, type Motion } from "./frames.ts";
 import type {
   Advice,
@@ -62,8 +63,10 @@ async function checked(response: Response): Promise<Response> {
 
 async function asked(path: string, init: RequestInit): Promise<Response> {
   try {
-    return await checked(await fetch(path, { credentials: "same-origin", ...init }));
+    return await checked(await carry(path, init));
   } catch (error) {
+    if (error instanceof TypeError && oneFile())
+      throw new Failure({ what: "The computation ended", why: error.message, suggestion: "Reload the page." });
     if (error instanceof TypeError)
       throw new Failure({
         what: "Stridor does not answer",
@@ -81,6 +84,11 @@ function post(path: string, content: unknown, signal?: AbortSignal): Promise<Res
 
 async function json<T>(response: Promise<Response>): Promise<T> {
   return (await (await response).json()) as T;
+}
+
+/** Asks whether a case (TOML) can be opened; fails with what is wrong with it. Of a page in one file alone. */
+export async function openable(toml: string): Promise<void> {
+  await asked("/api/open", { method: "POST", body: toml });
 }
 
 export function start(): Promise<Start> {

@@ -2,6 +2,7 @@
 import * as api from "../data/api.ts";
 import { hasStructure } from "../data/cases.ts";
 import { isAwaited, type ChartData } from "../data/chart_data.ts";
+import { oneFile } from "../data/carrier.ts";
 import type { Start } from "../data/types.ts";
 import { categoryAndQuiet, light } from "../draw/colours.ts";
 import { button, download, h, setText } from "../draw/dom.ts";
@@ -20,6 +21,7 @@ export class Share {
     spellcheck: "false",
     placeholder: "http://…/#preset=…",
   });
+  private readonly file_ = h("input", { type: "file", id: "open-case", accept: ".toml" });
   private readonly note_ = h("p", { class: "note", role: "status", id: "share-note" });
 
   constructor(
@@ -49,10 +51,19 @@ export class Share {
       ),
       entry("Chart as PNG", "save-png", "Light, twice the screen's size", () => this.png_()),
       entry("Chart as CSV", "save-csv", "Its cells as a table", () => this.csv_()),
-      entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_()),
+      ...(oneFile()
+        ? [
+            entry("Save this page", "save-page", "This file with the design in it; it opens anywhere", () =>
+              this.page_(),
+            ),
+            h("label", { class: "paste" }, "Open a case", this.file_),
+            h("p", { class: "note" }, "Reports, noise libraries and PDF need the program."),
+          ]
+        : [entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_())]),
       h("label", { class: "paste" }, "Open a link", this.paste_),
       this.note_,
     );
+    this.file_.addEventListener("change", () => void this.run_(() => this.openFile_()));
     this.paste_.addEventListener("change", () => void this.run_(() => this.open_(this.paste_.value.trim())));
   }
 
@@ -67,7 +78,8 @@ export class Share {
     const kept = other && "design" in other ? { ...other, design: await this.whole_(other.design) } : null;
     const fragment = toFragment({ ...state, design: await this.whole_(state.design), other: kept });
     if (fragment.length > longestFragment) throw Error("This is too long for a link. Copy it as TOML.");
-    const said = await this.copy_(`${location.origin}/#${fragment}`, "link");
+    const place = oneFile() ? location.href.replace(/#.*/s, "") : `${location.origin}/`;
+    const said = await this.copy_(`${place}#${fragment}`, "link");
     return `${said} Elsewhere: stridor explore 'LINK'.${other && !kept ? " The recording beside it stays here." : ""}`;
   }
 
@@ -78,6 +90,18 @@ export class Share {
     location.hash = fragment;
     this.paste_.value = "";
     return "";
+  }
+
+  private async openFile_(): Promise<string> {
+    const file = this.file_.files?.[0];
+    if (file) await oneFile()?.open(await file.text());
+    return "";
+  }
+
+  private async page_(): Promise<string> {
+    const toml = await api.toml(this.store_.state.design, this.axes_());
+    download("stridor.html", new Blob([oneFile()?.saved(toml) ?? ""], { type: "text/html" }));
+    return "stridor.html";
   }
 
   private axes_(): { x: Axis; y: Axis; refine: number } {

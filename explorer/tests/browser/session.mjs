@@ -70,7 +70,8 @@ export async function openPage(explorer, options = {}) {
   page.on("pageerror", (error) => sins.push(`page: ${error.message}`));
   page.on("request", (request) => {
     const url = request.url();
-    const isOwn = url.startsWith(`${explorer.origin}/`) || url.startsWith("data:") || url.startsWith("blob:");
+    const isPage = url.startsWith(`${explorer.origin}/`) || url.replace(/#.*/, "") === explorer.origin;
+    const isOwn = isPage || url.startsWith("data:") || url.startsWith("blob:");
     if (!isOwn) sins.push(`request: ${url}`);
   });
   return {

@@ -1,0 +1,29 @@
+/** How questions reach the program: over HTTP to `stridor explore`, or to a module inside a page in one file. */
+
+export type Carrier = (path: string, init: RequestInit) => Promise<Response>;
+
+/** A page in one file, without a program behind it. */
+export interface OneFile {
+  carry: Carrier;
+  /** The file's text with this case (TOML) in it. */
+  saved(toml: string): string;
+  /** Begins anew with a case (TOML); fails with what is wrong with it. */
+  open(toml: string): Promise<void>;
+}
+
+let inside: OneFile | null = null;
+
+/** From now on questions go to what the page holds itself. */
+export function carryInside(file: OneFile): void {
+  inside = file;
+}
+
+/** The file that this page is; null: a program serves it. */
+export function oneFile(): OneFile | null {
+  return inside;
+}
+
+/** The answer to a question, as `fetch` gives it. */
+export function carry(path: string, init: RequestInit): Promise<Response> {
+  return inside ? inside.carry(path, init) : fetch(path, { credentials: "same-origin", ...init });
+}
