@@ -71,3 +71,5 @@ stridor_install_page("${completions}/stridor.fish" "${CMAKE_INSTALL_DATADIR}/fis
 if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/cases")
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases/" DESTINATION "${CMAKE_INSTALL_DATADIR}/stridor/cases")
 endif()
+# the page in one file, where ./dev page has built it
+install(FILES "${PROJECT_BINARY_DIR}/page/page.html" DESTINATION "${CMAKE_INSTALL_DATADIR}/stridor" OPTIONAL)
