@@ -3,7 +3,10 @@
 #include "stridor/base/error.hpp"
 #include "stridor/io/structure/part_files.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/recordings/audio/audio.hpp"
+#include "stridor/recordings/audio/compressed_audio.hpp"
 #include "stridor/recordings/bytes.hpp"
+#include "stridor/recordings/recording_files.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 namespace stridor {
@@ -39,6 +42,19 @@ std::shared_ptr<const Bytes> open_bytes(const std::string& path) {
 
 std::shared_ptr<const Bytes> open_plain_bytes(const std::string& path) {
     throw not_here(path);
+}
+
+// recordings are files
+bool is_audio(std::string_view) {
+    return false;
+}
+
+bool is_compressed_audio(std::string_view) {
+    return false;
+}
+
+bool has_recording_name(std::string_view) {
+    return false;
 }
 
 std::string text_at(const Bytes& bytes, std::uint64_t offset, std::size_t length) {

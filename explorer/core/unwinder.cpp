@@ -1,4 +1,4 @@
-// What WebAssembly's exceptions need besides libc++abi's cxa_exception.cpp and cxa_personality.cpp: the machine unwinds,
+// What exceptions of WebAssembly need with libc++abi's cxa_exception.cpp and cxa_personality.cpp: the machine unwinds,
 // and a landing pad asks the personality which handler is its own (as clang's WasmEHPrepare expects).
 
 #include <unwind.h>

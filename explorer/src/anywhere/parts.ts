@@ -31,20 +31,32 @@ export function textOfFile(): string {
   return `<!doctype html>\n${document.documentElement.outerHTML}\n`;
 }
 
-/** The text of the file with a case (TOML) in it; no text ends the element that holds it. */
-export function fileWithCase(file: string, toml: string): string {
+/** The letters of the file's encoding, windows-1252, in which each byte is one. */
+const letters = new TextDecoder("windows-1252").decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
+const byteOf = new Map([...letters].map((letter, byte) => [letter, byte]));
+
+/** The bytes of the file with a case (TOML) in it; no text ends the element that holds it. */
+export function fileWithCase(file: string, toml: string): Uint8Array<ArrayBuffer> {
   const begin = '<script type="application/json" id="stridor-case">';
   const from = file.indexOf(begin) + begin.length;
   const to = file.indexOf("</script>", from);
-  return file.slice(0, from) + JSON.stringify(toml).replaceAll("<", "\\u003c") + file.slice(to);
+  const json = JSON.stringify(toml).replace(
+    /[<\u0080-\uffff]/g,
+    (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`,
+  );
+  return Uint8Array.from(file.slice(0, from) + json + file.slice(to), (letter) => byteOf.get(letter) ?? 63);
 }
 
-/** Bytes from base64, four letters for three. */
-export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
-  const letters = atob(base64.trim());
-  const bytes = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; ++k) bytes[k] = letters.charCodeAt(k);
-  return bytes;
+/** The bytes that build_page.mjs wrote as letters: `=` and another letter are one that HTML would change. */
+export function bytesOf(text: string): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(text.length);
+  let length = 0;
+  for (let k = 0; k < text.length; ++k) {
+    const isEscaped = text[k] === "=";
+    if (isEscaped) ++k;
+    bytes[length++] = (byteOf.get(text[k] as string) as number) - (isEscaped ? 64 : 0);
+  }
+  return bytes.subarray(0, length);
 }
 
 /** The core, compiled. */

@@ -5,8 +5,8 @@ export type Carrier = (path: string, init: RequestInit) => Promise<Response>;
 /** A page in one file, without a program behind it. */
 export interface OneFile {
   carry: Carrier;
-  /** The file's text with this case (TOML) in it. */
-  saved(toml: string): string;
+  /** The bytes of the file with this case (TOML) in it. */
+  saved(toml: string): Uint8Array<ArrayBuffer>;
   /** Begins anew with a case (TOML); fails with what is wrong with it. */
   open(toml: string): Promise<void>;
 }

@@ -100,7 +100,8 @@ export class Share {
 
   private async page_(): Promise<string> {
     const toml = await api.toml(this.store_.state.design, this.axes_());
-    download("stridor.html", new Blob([oneFile()?.saved(toml) ?? ""], { type: "text/html" }));
+    const file = oneFile()?.saved(toml);
+    if (file) download("stridor.html", new Blob([file], { type: "text/html" }));
     return "stridor.html";
   }
 
