@@ -196,7 +196,7 @@ Result sound(integration::InstructionSet set) {
     Values values;
     for (const signal::Signal& part : heard->parts)
         values.add("sample", part.samples);
-    const hearing::HeardVerdict verdict = hearing::judged(heard->parts, {});
+    const hearing::HeardVerdict verdict = hearing::judged(c, heard->parts, {});
     for (const sound::SoundStretch& stretch : verdict.stretches) {
         const sound::SoundFeatures& f = stretch.features;
         for (const double feature :

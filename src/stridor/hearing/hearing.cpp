@@ -33,8 +33,9 @@ constexpr std::array<Perturbation, 12> all_perturbations{{
     {.name = "300 Hz to 3.4 kHz", .low = 300.0, .high = 3400.0},
 }};
 
-void judge(HeardSound& heard, std::span<const Signal> parts, const parameters::SoundThresholds& thresholds) {
-    const classification::RecordingVerdict verdict = judged(parts, thresholds).verdict;
+void judge(HeardSound& heard, const Case& c, std::span<const Signal> parts,
+           const parameters::SoundThresholds& thresholds) {
+    const classification::RecordingVerdict verdict = judged(c, parts, thresholds).verdict;
     heard.heard = verdict.category;
     heard.reason = verdict.reasons.empty() ? "" : verdict.reasons.back();
     const classification::SoundSegment* loudest = verdict.loudest();
@@ -43,20 +44,20 @@ void judge(HeardSound& heard, std::span<const Signal> parts, const parameters::S
     if (!loudest->verdict.reasons.empty()) heard.reason = loudest->verdict.reasons.back();
 }
 
-Category heard_after(const Perturbation& perturbation, std::vector<Signal> parts, std::uint64_t seed,
+Category heard_after(const Perturbation& perturbation, const Case& c, std::vector<Signal> parts, std::uint64_t seed,
                      const parameters::SoundThresholds& thresholds) {
     for (Signal& part : parts)
         part = perturbed(std::move(part), perturbation, seed++);
-    return judged(parts, thresholds).verdict.category;
+    return judged(c, parts, thresholds).verdict.category;
 }
 
 // each change of each sound has a noise of its own
-std::vector<Category> heard_after_all(const std::vector<Signal>& parts, std::uint64_t number,
+std::vector<Category> heard_after_all(const Case& c, const std::vector<Signal>& parts, std::uint64_t number,
                                       const parameters::SoundThresholds& thresholds) {
     std::vector<Category> heard;
     for (std::size_t k = 0; k < all_perturbations.size(); ++k)
         heard.push_back(
-            heard_after(all_perturbations[k], parts, (number * all_perturbations.size() + k) << 16U, thresholds));
+            heard_after(all_perturbations[k], c, parts, (number * all_perturbations.size() + k) << 16U, thresholds));
     return heard;
 }
 
@@ -100,10 +101,10 @@ std::vector<HeardSound> hear(const Case& c, std::span<const Direction> direction
         const std::vector<Signal> parts(run->parts.begin() + static_cast<std::ptrdiff_t>(begin),
                                         run->parts.begin() + static_cast<std::ptrdiff_t>(end));
         begin = end;
-        judge(heard, parts, settings.thresholds);
+        judge(heard, c, parts, settings.thresholds);
         if (settings.seed)
             heard.perturbed =
-                heard_after_all(parts, *settings.seed * directions.size() + sounds.size(), settings.thresholds);
+                heard_after_all(c, parts, *settings.seed * directions.size() + sounds.size(), settings.thresholds);
     }
     return sounds;
 }

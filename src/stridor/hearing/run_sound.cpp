@@ -5,6 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/check.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "stridor/sound/analysis.hpp"
@@ -170,7 +171,23 @@ Signal joined(std::span<const Signal> parts) {
     return whole;
 }
 
-HeardVerdict judged(std::span<const Signal> parts, const parameters::SoundThresholds& thresholds) {
+bool bears_verdict(const Case& c) {
+    if (c.verdict.creeping == parameters::Creeping::judged) return true;
+    for (std::size_t k = 0; k < parameters::contact_count(c); ++k)
+        if (parameters::is_regularised(parameters::contact_of(c, k).friction)) return false;
+    return true;
+}
+
+classification::RecordingVerdict borne(const Case& c, classification::RecordingVerdict verdict) {
+    if (bears_verdict(c)) return verdict;
+    classification::RecordingVerdict held;
+    held.reasons = {
+        "its friction is regularised: it creeps where it should stick, so its motion is none of a rubbing contact; "
+        "verdict.creeping = \"judged\" judges it all the same"};
+    return held;
+}
+
+HeardVerdict judged(const Case& c, std::span<const Signal> parts, const parameters::SoundThresholds& thresholds) {
     HeardVerdict heard;
     double from = 0.0;  // [s] one part after the other
     for (const Signal& part : parts) {
@@ -182,7 +199,7 @@ HeardVerdict judged(std::span<const Signal> parts, const parameters::SoundThresh
         }
         from += signal::duration(part);
     }
-    heard.verdict = classification::classify_recording(heard.stretches, thresholds);
+    heard.verdict = borne(c, classification::classify_recording(heard.stretches, thresholds));
     return heard;
 }
 
@@ -207,7 +224,7 @@ std::optional<CellSound> sound_of_cell(const sweep::Study& study, std::size_t in
         return sound;
     }
     const std::array<signal::Signal, 1> whole{joined(run->parts)};
-    const HeardVerdict heard = judged(whole, listening.thresholds);
+    const HeardVerdict heard = judged(c, whole, listening.thresholds);
     sound.heard = heard.verdict.category;
     sound.profile = classification::profile_of(heard.stretches, heard.verdict, listening.thresholds);
     return sound;

@@ -66,8 +66,17 @@ struct HeardVerdict {
     classification::RecordingVerdict verdict{};
 };
 
-/// Judges a sound from its parts, each described by itself, so that no splice between them is heard.
-HeardVerdict judged(std::span<const signal::Signal> parts, const parameters::SoundThresholds& thresholds);
+/// Says whether the sound of a case's motion bears a verdict. Where friction is regularised a contact creeps that
+/// should stick, and its motion is none of a rubbing contact: `verdict.creeping` must ask for one.
+bool bears_verdict(const parameters::Case& c);
+
+/// Returns the verdict by ear on a motion of a case as far as that bears one, else that it is undecided, and why.
+classification::RecordingVerdict borne(const parameters::Case& c, classification::RecordingVerdict verdict);
+
+/// Judges the sound of a case's motion from its parts, each described by itself, so that no splice between them is
+/// heard.
+HeardVerdict judged(const parameters::Case& c, std::span<const signal::Signal> parts,
+                    const parameters::SoundThresholds& thresholds);
 
 /// How the cells of a chart are made audible and judged by ear.
 struct CellListening {

@@ -69,7 +69,7 @@ std::optional<DesignSound> sound_of(const Case& c, const sound::Pickup& pickup, 
     if (run->parts.empty()) return std::nullopt;
     const signal::Signal sound = hearing::joined(run->parts);
     if (signal::duration(sound) < shortest) return std::nullopt;
-    DesignSound result{direction, hearing::judged(run->parts, {}).verdict, {}};
+    DesignSound result{direction, hearing::judged(c, run->parts, {}).verdict, {}};
     double peak = 0.0;
     for (const double sample : sound.samples)
         peak = std::max(peak, std::abs(sample));

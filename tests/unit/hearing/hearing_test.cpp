@@ -71,6 +71,35 @@ TEST(Hearing, TheVerdictByContactStatesIsThatOfTheSameRun) {
     EXPECT_NEAR(sounds[0].features.duration, c.run.window, 1e-3);
 }
 
+// creep in the place of a stick makes a sound, too: it bears no verdict, by states or by ear, but where one is asked
+// for
+TEST(Hearing, HoldsBackTheVerdictOnRegularisedFriction) {
+    integration::Workspace workspace;
+    const std::array going{Direction::going};
+    for (const auto friction : {parameters::FrictionKind::tanh, parameters::FrictionKind::arctan}) {
+        parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+        c.drive.kind = parameters::DriveKind::constant;
+        c.drive.velocity = 0.1;
+        c.contact().friction = friction;
+        c.run.engine = parameters::Engine::moreau;
+        c.run.step = 2e-6;
+        c.run.duration = c.run.window = 0.12;
+        HearingSettings settings;
+        settings.seed = 1;
+        const HeardSound held = hear(c, going, settings, {}, workspace).front();
+        ASSERT_EQ(held.cell.status, sweep::Status::done) << held.cell.message;
+        EXPECT_EQ(held.cell.category, Category::undecided);
+        EXPECT_EQ(held.heard, Category::undecided);
+        EXPECT_NE(held.reason.find("friction is regularised"), std::string::npos) << held.reason;
+        for (const Category perturbed : held.perturbed)
+            EXPECT_EQ(perturbed, Category::undecided);
+        if (friction == parameters::FrictionKind::arctan) continue;
+        c.verdict.creeping = parameters::Creeping::judged;
+        const HeardSound asked = hear(c, going, {}, {}, workspace).front();
+        EXPECT_EQ(asked.heard, Category::squeal) << asked.reason;
+    }
+}
+
 TEST(Hearing, IsTheSameForEveryNumberOfThreads) {
     const sweep::Study study = audible_study();
     HearingOptions options;

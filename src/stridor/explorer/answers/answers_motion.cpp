@@ -232,6 +232,35 @@ Json verdict_object(const classification::RecordingVerdict& verdict) {
             {"segments", std::move(segments)}};
 }
 
+// of a recording, or of a run of a case
+Response heard_sound(signal::Source& source, const parameters::Case* c) {
+    const std::vector<sound::SoundAnalysis> channels = sound::analyse(source);
+    const sound::SoundAnalysis& sound = channels[sound::loudest(channels)];
+    const double reference = signal::reference_of(sound.unit);
+    const std::vector<double> lines = signal::line_squares(sound.spectrum);
+    const std::size_t instants = sound.level.decibels.size();
+    const std::string unit = signal::level_unit(sound.unit);
+    classification::RecordingVerdict verdict = classification::verdict_on(sound, {});
+    if (c != nullptr) verdict = hearing::borne(*c, std::move(verdict));
+    const Json document{{"schema", "stridor.explorer.analysis/1"},
+                        {"unit", sound.unit},
+                        {"rate", sound.rate},
+                        {"duration", sound.duration},
+                        {"level",
+                         {{"time", multiples(instants, sound.level.interval, 1)},
+                          {"decibels", rounded(sound.level.decibels)},
+                          {"unit", unit}}},
+                        {"spectrum",
+                         {{"frequency", multiples(lines.size(), sound.spectrum.spacing, 0)},
+                          {"level", rounded(levels_of(lines, reference))},
+                          {"unit", unit}}},
+                        {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
+                        {"impulses", impulses_object(sound, reference)},
+                        {"tracks", tracks_object(sound)},
+                        {"verdict", verdict_object(verdict)}};
+    return json(document.dump());
+}
+
 }  // namespace
 
 Response motion(const World& world, const Json& body, const std::stop_token& stop) {
@@ -260,29 +289,7 @@ Response motion(const World& world, const Json& body, const std::stop_token& sto
 }
 
 Response analysis_of(signal::Source& source) {
-    const std::vector<sound::SoundAnalysis> channels = sound::analyse(source);
-    const sound::SoundAnalysis& sound = channels[sound::loudest(channels)];
-    const double reference = signal::reference_of(sound.unit);
-    const std::vector<double> lines = signal::line_squares(sound.spectrum);
-    const std::size_t instants = sound.level.decibels.size();
-    const std::string unit = signal::level_unit(sound.unit);
-    const Json document{{"schema", "stridor.explorer.analysis/1"},
-                        {"unit", sound.unit},
-                        {"rate", sound.rate},
-                        {"duration", sound.duration},
-                        {"level",
-                         {{"time", multiples(instants, sound.level.interval, 1)},
-                          {"decibels", rounded(sound.level.decibels)},
-                          {"unit", unit}}},
-                        {"spectrum",
-                         {{"frequency", multiples(lines.size(), sound.spectrum.spacing, 0)},
-                          {"level", rounded(levels_of(lines, reference))},
-                          {"unit", unit}}},
-                        {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
-                        {"impulses", impulses_object(sound, reference)},
-                        {"tracks", tracks_object(sound)},
-                        {"verdict", verdict_object(classification::verdict_on(sound, parameters::SoundThresholds{}))}};
-    return json(document.dump());
+    return heard_sound(source, nullptr);
 }
 
 Response sound(const World& world, const Json& body, const std::stop_token& stop) {
@@ -310,7 +317,7 @@ Response modal_lines(const World& world, const Json& body, const std::stop_token
 Response analysis(const World& world, const Json& body, const std::stop_token& stop) {
     const Listening listening = listening_in(world, body);
     const auto source = signal::source_of({sound_of(listening, stop)});
-    return analysis_of(*source);
+    return heard_sound(*source, &listening.c);
 }
 
 }  // namespace stridor::explorer
