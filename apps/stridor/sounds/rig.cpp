@@ -41,12 +41,17 @@ struct FrictionOptions {
 };
 
 void fit_friction(const FrictionOptions& options) {
-    const io::FittedFriction fitted = io::fitted_friction(options.texts, console::say_note);
+    io::FrictionFitTexts texts = options.texts;
+    texts.temperature = options.pair.temperature;
+    const io::FittedFriction fitted = io::fitted_friction(texts, console::say_note);
     const std::size_t law = options.fit == "best" ? fitted.fit.best : analysis::law_called(fitted.fit, options.fit);
+    if (!options.figure.empty() && fitted.over)
+        base::refuse("a figure of a fit has one temperature", "each has curves of its own",
+                     "Fit the files of one, or leave --figure out.");
     if (!options.figure.empty()) pictures::draw(pictures::friction_fit(fitted.fit, law), options.figure, options.sheet);
     if (!options.into.empty()) {
         console::print_data(io::case_with_law(io::read_case(load_source(options.into)), fitted, law));
-        console::say(analysis::words_of(fitted.fit));
+        console::say(fitted.over ? analysis::words_of(*fitted.over) : analysis::words_of(fitted.fit));
         return;
     }
     console::print(options.json ? io::friction_fit_json(fitted, law) + "\n" : console::friction_fit_text(fitted, law));
@@ -57,6 +62,9 @@ void friction(const FrictionOptions& options) {
     if (options.fit.empty() && !options.risk && !(texts.mass + texts.stiffness + texts.damping).empty())
         base::refuse("--mass, --stiffness and --damping say nothing here", "they are for a fit or a risk number",
                      "Add --fit best or --risk?");
+    if (!options.pair.temperature.empty() && options.fit.empty() && options.pair.name.empty())
+        base::refuse("--temperature says nothing here", "it is for a fit or the row of a pair",
+                     "Add --fit best or --pair NAME?");
     if (!options.fit.empty()) {
         fit_friction(options);
         return;
@@ -181,9 +189,11 @@ void add_rig_friction(CLI::App& rig) {
             ->type_name("NAME")
             ->excludes(fit)
             ->excludes(risk);
-    command->add_option("--temperature", options->pair.temperature, "of the test, for the row; of several files a list")
+    command
+        ->add_option("--temperature", options->pair.temperature,
+                     "of the test, for --fit and --pair; of several files \"23 degC, 60 degC\"")
         ->type_name("TEMPERATURE")
-        ->needs(pair);
+        ->excludes(risk);
     command->add_option("--humidity", options->pair.humidity, "of the test, for the row; of several files a list")
         ->type_name("HUMIDITY")
         ->needs(pair);

@@ -194,10 +194,11 @@ std::size_t numbers_of(const LawForm& form) {
     return fitted_kinds[form.kind] == FrictionKind::linear ? 2 : 1;
 }
 
-std::vector<LawForm> forms_of(std::size_t kind, const std::vector<double>& knots) {
+std::vector<LawForm> forms_of(std::size_t kind, const std::vector<double>& knots, std::optional<double> exponent) {
     switch (fitted_kinds[kind]) {
         case FrictionKind::stribeck:
         case FrictionKind::stribeck_rational:
+            if (exponent) return {{kind, *exponent, true, false}, {kind, *exponent, true, true}};
             return {
                 {kind, 1.0, true, false}, {kind, 2.0, true, false}, {kind, 1.0, true, true}, {kind, 2.0, true, true}};
         case FrictionKind::table:
@@ -242,26 +243,6 @@ FrictionFit coulomb_of_slips(FrictionPoints data) {
     return fit;
 }
 
-void choose(FrictionFit& fit) {
-    double least = open_end;
-    for (const FittedLaw& law : fit.laws)
-        least = std::min(least, law.criterion);
-    const auto is_simpler = [&](std::size_t a, std::size_t b) {
-        const FittedLaw &one = fit.laws[a], &other = fit.laws[b];
-        return one.free_numbers != other.free_numbers ? one.free_numbers < other.free_numbers
-                                                      : one.criterion < other.criterion;
-    };
-    std::vector<std::size_t> good;
-    for (std::size_t k = 0; k < fit.laws.size(); ++k) {
-        fit.laws[k].difference = fit.laws[k].criterion - least;
-        if (fit.laws[k].difference < telling_difference) good.push_back(k);
-    }
-    fit.best = *std::min_element(good.begin(), good.end(), is_simpler);
-    for (const std::size_t k : good)
-        if (k != fit.best)
-            (fit.laws[k].free_numbers > fit.laws[fit.best].free_numbers ? fit.richer : fit.rivals).push_back(k);
-}
-
 std::string name_of(const FrictionFit& fit, std::size_t law) {
     return std::string(fitted_names[fit.laws[law].kind]);
 }
@@ -281,13 +262,14 @@ double dependence_of(const PointSet& set, const std::vector<double>& knots) {
 }
 
 // all forms of a law that the points can bear; `why` is told where there are too few speeds
-Siblings forms_fitted(std::size_t kind, const std::vector<double>& knots, const PointSet& set, const FrictionFit& fit,
+Siblings forms_fitted(const std::vector<LawForm>& forms, const PointSet& set, const FrictionFit& fit,
                       std::string& why) {
     Siblings fitted_forms;
     const auto points = static_cast<double>(set.points.size());
-    for (const LawForm& form : forms_of(kind, knots)) {
+    for (const LawForm& form : forms) {
         const std::size_t numbers = numbers_of(form);
-        if (numbers > fit.speeds || (kind + 1 == fitted_kinds.size() && knots.size() < 2)) {
+        const bool is_table = form.kind + 1 == fitted_kinds.size();
+        if (numbers > fit.speeds || (is_table && form.knots.size() < 2)) {
             if (why.empty())
                 why = "its " + std::to_string(std::max<std::size_t>(numbers, 2)) +
                       " numbers need as many speeds of slip; the runs have " + std::to_string(fit.speeds);
@@ -321,10 +303,30 @@ const FittedForm* simplest_of(const Siblings& forms) {
 
 }  // namespace
 
-FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig) {
+void choose_law(FrictionFit& fit) {
+    double least = open_end;
+    for (const FittedLaw& law : fit.laws)
+        least = std::min(least, law.criterion);
+    const auto is_simpler = [&](std::size_t a, std::size_t b) {
+        const FittedLaw &one = fit.laws[a], &other = fit.laws[b];
+        return one.free_numbers != other.free_numbers ? one.free_numbers < other.free_numbers
+                                                      : one.criterion < other.criterion;
+    };
+    std::vector<std::size_t> good;
+    for (std::size_t k = 0; k < fit.laws.size(); ++k) {
+        fit.laws[k].difference = fit.laws[k].criterion - least;
+        if (fit.laws[k].difference < telling_difference) good.push_back(k);
+    }
+    fit.best = *std::min_element(good.begin(), good.end(), is_simpler);
+    for (const std::size_t k : good)
+        if (k != fit.best)
+            (fit.laws[k].free_numbers > fit.laws[fit.best].free_numbers ? fit.richer : fit.rivals).push_back(k);
+}
+
+FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig, std::optional<double> exponent) {
     if (data.points.empty() && rig && data.slips.size() >= fewest_slips) {
-        FrictionFit fit = fit_of_slips(std::move(data), *rig);
-        choose(fit);
+        FrictionFit fit = fit_of_slips(std::move(data), *rig, exponent);
+        choose_law(fit);
         return fit;
     }
     if (data.points.empty() && data.kinetic_friction.count > 0) return coulomb_of_slips(std::move(data));
@@ -341,7 +343,7 @@ FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>&
     fit.independent = static_cast<double>(set.points.size()) / effect;
     for (std::size_t kind = 0; kind < fitted_kinds.size(); ++kind) {
         std::string why;
-        const Siblings forms = forms_fitted(kind, knots, set, fit, why);
+        const Siblings forms = forms_fitted(forms_of(kind, knots, exponent), set, fit, why);
         if (const FittedForm* best = simplest_of(forms))
             fit.laws.push_back(law_of(*best, forms, set, fit.data, effect));
         else
@@ -350,7 +352,7 @@ FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>&
     if (fit.laws.empty())
         base::refuse("no law can be fitted to " + std::to_string(set.points.size()) + " points",
                      fit.unfitted.front().why, "Measure for a longer time, or at more speeds.");
-    choose(fit);
+    choose_law(fit);
     return fit;
 }
 

@@ -52,6 +52,10 @@ struct FittedLaw {
     double criterion = 0.0;             // [1] Akaike's, corrected for few points (AICc)
     double difference = 0.0;            // [1] from the least criterion
     std::vector<double> residuals;      // [1] shape [point]
+    std::vector<double> onsets;         // [s] of slips, from their first samples, shape [slip]
+    std::vector<double> limits;         // [N] at which slips let go, shape [slip]
+    MeasuringRig moved_by;              // in slips, with what was fitted of it
+    std::vector<double> covariance;     // by slips, of mu_s, then mu_d, s_mu and ln v_s, shape [number][number]
 };
 
 /// A law that could not be fitted.
@@ -85,9 +89,13 @@ struct FrictionFit {
 /// Pereyra 1973). delta is 1 or 2, whichever fits better. The interval of a number holds all its values at which the
 /// sum of squares, the others fitted anew, stays below s^2 t^2 above the least (profile likelihood), t being Student's
 /// of 95 %. It needs no law to be nearly linear in its numbers. Runs that all have stick-slip are fitted through the
-/// model of the rig (`fit_of_slips`); without a rig they have Coulomb's numbers. Throws `Error` (input) for too few
-/// points.
-FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig = {});
+/// model of the rig (`fit_of_slips`); without a rig they have Coulomb's numbers. An exponent that is given is the only
+/// delta. Throws `Error` (input) for too few points.
+FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig = {},
+                         std::optional<double> exponent = {});
+
+/// Says by the criteria of the laws which of them the data bear, and which they do not tell from it.
+void choose_law(FrictionFit& fit);
 
 /// Returns the place in `fit.laws` of a law by its name. Throws `Error` (input) if it was not fitted, with why.
 std::size_t law_called(const FrictionFit& fit, std::string_view name);

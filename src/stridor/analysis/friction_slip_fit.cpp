@@ -6,6 +6,7 @@
 #include "stridor/analysis/friction_regression.hpp"
 #include "stridor/analysis/friction_slip_regression.hpp"
 #include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/model/friction/friction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,7 @@ struct SlipLaw {
     double criterion = open_end;
     std::vector<FittedNumber> numbers;
     std::vector<RigNumber> rig;
+    std::vector<double> covariance;  // of mu_s, then mu_d, s_mu and ln v_s, shape [number][number]
 };
 
 // by how much the variance of a mean grows because neighbouring samples of a slip are alike
@@ -64,7 +66,7 @@ void set_numbers(SlipLaw& law, const std::vector<RecordedSlip>& slips, const Sli
     };
     const double mu_s = found.ratios.mean();
     law.numbers = {number_called(&Contact::static_friction, mu_s, end_values(mu_s, half(found.limits)))};
-    if (law.fit.shape.empty()) return;
+    std::vector<Eigen::VectorXd> pulls{found.limits};
     for (std::size_t k = 0; k < law.fit.shape.size(); ++k) {
         const double value = law.fit.shape[k];
         const Eigen::VectorXd own = found.shape.col(static_cast<Eigen::Index>(k));
@@ -72,14 +74,17 @@ void set_numbers(SlipLaw& law, const std::vector<RecordedSlip>& slips, const Sli
         const std::pair<double, double> around{std::exp(value - width), std::exp(value + width)};
         switch (law.model.numbers[k]) {
             case ShapeNumber::ratio:
+                pulls.push_back(mu_s * own + value * found.limits);
                 law.numbers.push_back(
                     number_called(&Contact::kinetic_friction, value * mu_s, end_values(value * mu_s, scaled)));
                 break;
             case ShapeNumber::slope:
+                pulls.push_back(mu_s * own + value * found.limits);
                 law.numbers.push_back(
                     number_called(&Contact::friction_slope, value * mu_s, end_values(value * mu_s, scaled)));
                 break;
             case ShapeNumber::velocity:
+                pulls.push_back(own);
                 law.numbers.push_back(number_called(&Contact::stribeck_velocity, std::exp(value), around));
                 law.numbers.push_back(number_called(&Contact::stribeck_exponent, law.model.exponent,
                                                     {law.model.exponent, law.model.exponent}));
@@ -91,6 +96,9 @@ void set_numbers(SlipLaw& law, const std::vector<RecordedSlip>& slips, const Sli
                 law.rig.push_back({"mass", "m", "kg", std::exp(value), around.first, around.second});
         }
     }
+    for (const Eigen::VectorXd& a : pulls)
+        for (const Eigen::VectorXd& b : pulls)
+            law.covariance.push_back(count / freedom * a.dot(b));
 }
 
 // --- each law
@@ -190,6 +198,7 @@ FittedLaw fitted_law(std::size_t kind, const std::vector<SlipLaw>& siblings, std
     law.kind = kind;
     law.numbers = chosen.numbers;
     law.rig = chosen.rig;
+    law.covariance = chosen.covariance;
     law.free_numbers = chosen.fit.shape.size() + 1;
     law.criterion = chosen.criterion;
     law.deviation = std::sqrt(chosen.fit.squares / samples) / load;
@@ -200,6 +209,13 @@ FittedLaw fitted_law(std::size_t kind, const std::vector<SlipLaw>& siblings, std
             law.numbers[k].to = std::max(law.numbers[k].to, each.numbers[k].to);
         }
     }
+    law.onsets = chosen.fit.onset;
+    law.limits = chosen.fit.limit;
+    law.moved_by = chosen.model.rig;
+    for (std::size_t k = 0; k < chosen.fit.shape.size(); ++k) {
+        if (chosen.model.numbers[k] == ShapeNumber::stiffness) law.moved_by.stiffness = std::exp(chosen.fit.shape[k]);
+        if (chosen.model.numbers[k] == ShapeNumber::mass) law.moved_by.mass = std::exp(chosen.fit.shape[k]);
+    }
     law.contact.friction = fitted_kinds[kind];
     for (const FittedNumber& number : law.numbers)
         law.contact.*number.member = number.value;
@@ -209,7 +225,7 @@ FittedLaw fitted_law(std::size_t kind, const std::vector<SlipLaw>& siblings, std
 
 }  // namespace
 
-FrictionFit fit_of_slips(FrictionPoints data, const MeasuringRig& rig) {
+FrictionFit fit_of_slips(FrictionPoints data, const MeasuringRig& rig, std::optional<double> only) {
     data.slips = thinned(std::move(data.slips));
     FrictionFit fit;
     fit.slips = data.slips.size();
@@ -233,6 +249,9 @@ FrictionFit fit_of_slips(FrictionPoints data, const MeasuringRig& rig) {
         }
     }
     for (std::size_t kind = 0; kind < laws.size(); ++kind) {
+        // both were fitted: how many samples are independent is the same whichever delta is asked for
+        if (only && is_stribeck(fitted_kinds[kind]))
+            std::erase_if(laws[kind], [&](const SlipLaw& law) { return law.model.exponent != *only; });
         std::size_t best = 0;
         for (std::size_t k = 0; k < laws[kind].size(); ++k) {
             SlipLaw& law = laws[kind][k];
@@ -248,6 +267,21 @@ FrictionFit fit_of_slips(FrictionPoints data, const MeasuringRig& rig) {
     fit.unfitted.push_back({fitted_kinds.size() - 1, "a table needs runs of steady sliding"});
     fit.data = std::move(data);
     return fit;
+}
+
+std::vector<double> slip_force(const FrictionFit& fit, std::size_t law, std::size_t slip,
+                               std::span<const double> since_release) {
+    const FittedLaw& fitted = fit.laws[law];
+    const RecordedSlip& recorded = fit.data.slips[slip];
+    // the force at which it lets go has the level: the law's shape is left
+    Contact shape = fitted.contact;
+    const double mu_s = fitted.contact.static_friction;
+    shape.static_friction = 1.0;
+    shape.kinetic_friction /= mu_s;
+    shape.friction_slope /= mu_s;
+    const double swing = 2.0 * std::numbers::pi * std::sqrt(fitted.moved_by.mass / fitted.moved_by.stiffness);
+    const SlipStart start{recorded.velocity, fitted.limits[slip], std::min(0.5 / recorded.rate, swing / 80.0)};
+    return slip_track(model::friction_law(shape), fitted.moved_by, start, since_release).force;
 }
 
 }  // namespace stridor::analysis

@@ -10,6 +10,7 @@
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/io/sound/named_sound.hpp"
 #include "stridor/io/sound/signal_report.hpp"
+#include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/error_text.hpp"
@@ -19,8 +20,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::io {
 namespace {
@@ -219,6 +223,49 @@ TEST(CaseWithLaw, HasTheRowsOfATable) {
     ASSERT_EQ(contact.friction_table.speeds.size(), 7U);
     EXPECT_NEAR(contact.friction_table.coefficients[2], 0.3 + 0.2 * std::exp(-1.0), 1e-3);
     EXPECT_EQ(contact.static_friction, contact.friction_table.coefficients[0]);
+}
+
+// the same law at two temperatures, with half the v_s at the hotter one
+FittedFriction fitted_over_temperature() {
+    std::vector<analysis::FrictionAtTemperature> runs(2);
+    for (std::size_t n = 0; n < 2; ++n) {
+        runs[n].temperature = n == 0 ? 23.0 : 60.0;
+        runs[n].data = fitted_stribeck().fit.data;
+        if (n == 1)
+            for (analysis::FrictionPoint& point : runs[n].data.points)
+                for (double& speed : point.speeds)
+                    speed *= 0.5;
+    }
+    FittedFriction fitted;
+    fitted.tests.resize(1);
+    fitted.over = analysis::friction_over_temperature(std::move(runs));
+    fitted.fit = fitted.over->whole;
+    return fitted;
+}
+
+TEST(CaseWithLaw, HasALawOverTheTemperature) {
+    const FittedFriction fitted = fitted_over_temperature();
+    const std::size_t law = analysis::law_called(fitted.fit, "stribeck");
+    const std::string text = case_with_law({}, fitted, law);
+    parameters::Case c = read_case({text, "fitted.toml", {}});
+    EXPECT_EQ(c.contact().friction, parameters::FrictionKind::stribeck);
+    for (const auto& [temperature, v_s] : {std::pair{23.0, 0.02}, {41.5, 0.015}, {60.0, 0.01}}) {
+        parameters::set_quantity(c, *parameters::find_field("temperature.value"), temperature);
+        EXPECT_NEAR(c.contact().stribeck_velocity, v_s, 0.01 * v_s) << temperature;
+        EXPECT_NEAR(c.contact().static_friction, 0.5, 1e-3) << temperature;
+    }
+    EXPECT_TRUE(thrown_by([&] { case_with_law(c, fitted, law); }).says("a table over the temperature already"));
+    EXPECT_TRUE(thrown_by([&] {
+                    case_with_law({}, fitted, analysis::law_called(fitted.fit, "table"));
+                }).says("rows over the speed do not follow the temperature"));
+}
+
+TEST(FrictionFitJson, TellsTheLawOfEachTemperature) {
+    const FittedFriction fitted = fitted_over_temperature();
+    const std::string text = friction_fit_json(fitted, fitted.fit.best);
+    for (const char* part : {"\"temperatures\"", "\"temperature\": 60", "\"gain\"", "It changes with the temperature.",
+                             "\"temperatures.temperature\": \"degC\""})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
 TEST(FrictionFitJson, TellsNumbersIntervalsAndWhatTheDataBear) {

@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/fields/field_name.hpp"
+#include "stridor/parameters/rules/check.hpp"
 #include "stridor/parameters/tables/damping_ratio.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
@@ -169,6 +170,21 @@ TEST(TemperatureTable, StandsWholeInTheCanonicalText) {
     number.temperature = {};
     EXPECT_NE(canonical_text(number), text);
     EXPECT_EQ(canonical_text(number).find("temperature"), std::string::npos);
+}
+
+TEST(TemperatureTable, HoldsTheNumbersOfALaw) {
+    Case c;
+    set_text(c, "friction", "stribeck");
+    set_temperature_table(c, {0.0, 50.0}, {column("v_s", {"40 mm/s", "20 mm/s"}), column("k_v", {"0", "0.5 s/m"})});
+    EXPECT_TRUE(findings(c).empty());
+    set_text(c, "temperature", "25");
+    EXPECT_EQ(c.contact().stribeck_velocity, 0.03);
+    EXPECT_EQ(c.contact().viscous_friction, 0.25);
+    // of another law they mean nothing
+    set_text(c, "friction", "coulomb");
+    ASSERT_EQ(findings(c).size(), 2U);
+    EXPECT_EQ(findings(c)[0].problem.what,
+              "contact.stribeck_velocity follows the temperature, and means nothing for this case");
 }
 
 TEST(TemperatureTable, ListsItsKeysAsTheFieldTableDoes) {

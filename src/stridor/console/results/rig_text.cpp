@@ -40,6 +40,41 @@ std::string interval_text(const Number& number) {
                                     : fmt::format("{:.4g} or more", number.from);
 }
 
+std::string points_text(const analysis::FrictionFit& fit) {
+    std::string text;
+    if (!fit.data.points.empty()) {
+        text += fmt::format("{} at {} of slip, as good as {:.0f} independent ones",
+                            counted(fit.data.points.size(), "point", "points"), counted(fit.speeds, "speed", "speeds"),
+                            fit.independent);
+        if (fit.data.longest_block > 0.0)
+            text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
+        text += "\n";
+    }
+    if (fit.slips > 0)
+        text += fmt::format("{} through the model of the rig, as good as {:.0f} independent samples\n",
+                            counted(fit.slips, "slip", "slips"), fit.independent);
+    return text;
+}
+
+// "stribeck, with intervals of 95 %", its numbers below
+std::string law_text(const analysis::FittedLaw& law, const std::string& where) {
+    const bool is_table = law.contact.friction == parameters::FrictionKind::table;
+    std::string text =
+        fmt::format("\n{}{}{}\n", analysis::fitted_names[law.kind], where, is_table ? "" : ", with intervals of 95 %");
+    if (is_table) {
+        for (std::size_t k = 0; k < law.contact.friction_table.speeds.size(); ++k)
+            text += fmt::format("  {:>10.4g} mm/s  {:.4g}\n", 1e3 * law.contact.friction_table.speeds[k],
+                                law.contact.friction_table.coefficients[k]);
+    } else {
+        for (const analysis::FittedNumber& number : law.numbers)
+            text += fmt::format("  {:<18} {}\n", value_text(number), interval_text(number));
+    }
+    for (const analysis::RigNumber& number : law.rig)
+        text += fmt::format("  {:<18} {}\n", fmt::format("{} {:.4g} {}", number.symbol, number.value, number.unit),
+                            interval_text(number));
+    return text;
+}
+
 using noise_library::Bin;
 using noise_library::CategoryRange;
 using noise_library::RankCorrelation;
@@ -152,24 +187,21 @@ std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law)
         if (std::isfinite(test.velocity)) text += fmt::format(", {:.4g} mm/s", 1e3 * test.velocity);
         text += "\n";
     }
-    if (!fit.data.points.empty()) {
-        text += fmt::format("{} at {} of slip, as good as {:.0f} independent ones",
-                            counted(fit.data.points.size(), "point", "points"), counted(fit.speeds, "speed", "speeds"),
-                            fit.independent);
-        if (fit.data.longest_block > 0.0)
-            text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
-        text += "\n";
-    }
-    if (fit.slips > 0)
-        text += fmt::format("{} through the model of the rig, as good as {:.0f} independent samples\n",
-                            counted(fit.slips, "slip", "slips"), fit.independent);
+    if (fitted.over)
+        for (std::size_t k = 0; k < fitted.over->temperatures.size(); ++k)
+            text += fmt::format("{:g} degC: {}", fitted.over->temperatures[k],
+                                points_text(fitted.over->fits[fitted.over->exponents[law]][k]));
+    else
+        text += points_text(fit);
     TextTable table{{left("law"), right("deviation"), right("difference"), left("  numbers")}};
     table.heading = Style::bold;
     for (const analysis::FittedLaw& each : fit.laws) {
         std::string numbers;
         for (const analysis::FittedNumber& number : each.numbers)
             numbers += "  " + value_text(number);
-        if (each.contact.friction == parameters::FrictionKind::table)
+        if (fitted.over)
+            numbers = "  " + counted(each.free_numbers, "number", "numbers");
+        else if (each.contact.friction == parameters::FrictionKind::table)
             numbers = "  " + counted(each.contact.friction_table.speeds.size(), "row", "rows");
         add_row(table, analysis::fitted_names[each.kind], fmt::format("{:.2g}", each.deviation),
                 fmt::format("{:.1f}", each.difference), numbers);
@@ -177,21 +209,11 @@ std::string friction_fit_text(const io::FittedFriction& fitted, std::size_t law)
     for (const analysis::UnfittedLaw& each : fit.unfitted)
         add_row(table, analysis::fitted_names[each.kind], "-", "-", "  " + each.why);
     text += "\n" + text_of(table);
-    const analysis::FittedLaw& asked = fit.laws[law];
-    const bool is_table = asked.contact.friction == parameters::FrictionKind::table;
-    text += fmt::format("\n{}{}\n", analysis::fitted_names[asked.kind], is_table ? "" : ", with intervals of 95 %");
-    if (is_table) {
-        for (std::size_t k = 0; k < asked.contact.friction_table.speeds.size(); ++k)
-            text += fmt::format("  {:>10.4g} mm/s  {:.4g}\n", 1e3 * asked.contact.friction_table.speeds[k],
-                                asked.contact.friction_table.coefficients[k]);
-    } else {
-        for (const analysis::FittedNumber& number : asked.numbers)
-            text += fmt::format("  {:<18} {}\n", value_text(number), interval_text(number));
-    }
-    for (const analysis::RigNumber& number : asked.rig)
-        text += fmt::format("  {:<18} {}\n", fmt::format("{} {:.4g} {}", number.symbol, number.value, number.unit),
-                            interval_text(number));
-    return text + "\n" + analysis::words_of(fit) + "\n";
+    if (!fitted.over) return text + law_text(fit.laws[law], "") + "\n" + analysis::words_of(fit) + "\n";
+    for (std::size_t k = 0; k < fitted.over->temperatures.size(); ++k)
+        text += law_text(analysis::law_at(*fitted.over, law, k),
+                         fmt::format(" at {:g} degC", fitted.over->temperatures[k]));
+    return text + "\n" + analysis::words_of(*fitted.over) + "\n";
 }
 
 std::string risk_text(const io::RigRisk& risk) {

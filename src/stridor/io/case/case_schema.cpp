@@ -142,7 +142,7 @@ Json without_temperature() {
     Json sections = Json::object();
     for (const std::string_view key : parameters::keys_over_temperature()) {
         const parameters::Field& field = *parameters::find_field(key);
-        sections[std::string(field.section)]["required"].push_back(field.name);
+        if (is_always_required(field)) sections[std::string(field.section)]["required"].push_back(field.name);
     }
     // likewise each of several joints
     sections["joint"]["items"] = {{"required", sections["joint"]["required"]},

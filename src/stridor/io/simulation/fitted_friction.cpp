@@ -8,6 +8,8 @@
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/friction_test_json.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +79,22 @@ std::vector<std::string> listed_texts(const std::string& text, std::size_t files
         base::refuse(fmt::format("{} has {} values for {} file{}", option, parts.size(), files, files == 1 ? "" : "s"),
                      "it takes one for all, or one each", "");
     return parts;
+}
+
+// each file's temperature [degC]; none where none is said
+std::vector<double> temperatures_of(const FrictionFitTexts& texts) {
+    std::vector<double> temperatures;
+    if (texts.temperature.empty()) return temperatures;
+    for (const std::string& text : listed_texts(texts.temperature, texts.files.size(), "--temperature"))
+        temperatures.push_back(base::parse_quantity(text, "degC"));
+    return temperatures;
+}
+
+// the runs of each temperature
+analysis::FrictionPoints& points_at(std::vector<analysis::FrictionAtTemperature>& groups, double temperature) {
+    for (analysis::FrictionAtTemperature& group : groups)
+        if (group.temperature == temperature) return group.data;
+    return groups.emplace_back(analysis::FrictionAtTemperature{temperature, {}}).data;
 }
 
 // an error about a file names it
@@ -159,20 +177,29 @@ std::optional<analysis::MeasuringRig> measuring_rig(const FrictionFitTexts& text
 FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note) {
     const analysis::FrictionTraceOptions options = trace_options(texts.shared);
     const std::optional<analysis::MeasuringRig> rig = measuring_rig(texts);
+    const std::vector<double> temperatures = temperatures_of(texts);
     FittedFriction fitted;
-    analysis::FrictionPoints points;
+    std::vector<analysis::FrictionAtTemperature> groups;
     for (const FrictionTexts& each : texts_of_files(texts)) {
+        const std::size_t number = fitted.tests.size();
         const RecordedFriction recorded = at_file(each.file, [&] { return recorded_friction(each, note); });
         const analysis::FrictionRun run{each.file, recorded.measurement, recorded.test.velocity};
+        analysis::FrictionPoints& points = points_at(groups, temperatures.empty() ? 0.0 : temperatures[number]);
         at_file(each.file, [&] {
-            analysis::add_run(points, run, fitted.tests.size(), options);
+            analysis::add_run(points, run, number, options);
             return 0;
         });
         fitted.tests.push_back(recorded.test);
     }
-    for (const std::string& each : points.notes)
-        note(each);
-    fitted.fit = analysis::friction_fit(std::move(points), rig);
+    for (const analysis::FrictionAtTemperature& group : groups)
+        for (const std::string& each : group.data.notes)
+            note(each);
+    if (groups.size() == 1) {
+        fitted.fit = analysis::friction_fit(std::move(groups.front().data), rig);
+    } else {
+        fitted.over = analysis::friction_over_temperature(std::move(groups), rig);
+        fitted.fit = fitted.over->whole;
+    }
     return fitted;
 }
 
@@ -230,6 +257,18 @@ std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
                           {"friction", point.friction},
                           {"residual", fit.laws[law].residuals[k]}});
     }
+    if (fitted.over) {
+        const analysis::FrictionOverTemperature& over = *fitted.over;
+        document["sentence"] = analysis::words_of(over);
+        document["gain"] = over.gain;
+        Json& temperatures = document["temperatures"] = Json::array();
+        for (std::size_t k = 0; k < over.temperatures.size(); ++k)
+            temperatures.push_back({{"temperature", over.temperatures[k]},
+                                    {"independent", over.fits[over.exponents[law]][k].independent},
+                                    {"law", object_of(law_members, analysis::law_at(over, law, k))}});
+        units["temperatures.temperature"] = "degC";
+        units["gain"] = "1";
+    }
     document["notes"] = fit.data.notes;
     put_units(units, "", law_members);
     units["independent"] = "1";
@@ -240,12 +279,62 @@ std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
     return base::text_of(document);
 }
 
+namespace {
+
+// the values of a number at each temperature; none where no temperature has it
+std::vector<double> values_over(const analysis::FrictionOverTemperature& over, std::size_t law,
+                                double parameters::Contact::*member) {
+    std::vector<double> values;
+    bool is_there = false;
+    for (std::size_t k = 0; k < over.temperatures.size(); ++k) {
+        const FittedLaw& here = analysis::law_at(over, law, k);
+        is_there = is_there || std::any_of(here.numbers.begin(), here.numbers.end(),
+                                           [&](const FittedNumber& number) { return number.member == member; });
+        values.push_back(to_four_figures(here.contact.*member));
+    }
+    return is_there ? values : std::vector<double>();
+}
+
+void expect_room_for_temperature(const parameters::Case& c, const FittedLaw& law) {
+    if (law.contact.friction == parameters::FrictionKind::table)
+        base::refuse("rows over the speed do not follow the temperature", "[temperature] has a list for each number",
+                     "Ask for another law: --fit stribeck.");
+    if (!c.temperature.at.empty())
+        base::refuse("the case has a table over the temperature already", "its temperatures may be others",
+                     "Take [temperature] out of it.");
+}
+
+// the numbers of a law as lists of [temperature], of each joint
+void put_over_temperature(parameters::Case& c, const analysis::FrictionOverTemperature& over, std::size_t law) {
+    using parameters::Contact;
+    constexpr std::array members{&Contact::static_friction, &Contact::kinetic_friction, &Contact::friction_slope,
+                                 &Contact::stribeck_velocity, &Contact::viscous_friction};
+    constexpr std::array<std::string_view, 5> keys{"contact.static_friction", "contact.kinetic_friction",
+                                                   "contact.friction_slope", "contact.stribeck_velocity",
+                                                   "contact.viscous_friction"};
+    std::vector<parameters::TemperatureColumn> columns;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const std::vector<double> values = values_over(over, law, members[k]);
+        if (values.empty()) continue;
+        for (const parameters::PlateJoint& joint : c.joints)
+            columns.push_back({parameters::has_several_joints(c)
+                                   ? parameters::key_of_joint(*parameters::find_field(keys[k]), joint.name)
+                                   : std::string(keys[k]),
+                               values});
+    }
+    parameters::set_temperature_table(c, over.temperatures, std::move(columns));
+}
+
+}  // namespace
+
 std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std::size_t law) {
-    const FittedLaw& wanted = fitted.fit.laws[law];
+    const FittedLaw& wanted = fitted.over ? analysis::law_at(*fitted.over, law, 0) : fitted.fit.laws[law];
+    if (fitted.over) expect_room_for_temperature(c, wanted);
     std::string files;
     for (const FrictionTest& test : fitted.tests)
         files += (files.empty() ? "" : ", ") + test.file;
-    const std::string heading = fmt::format("friction fitted: {}\n{}", files, analysis::words_of(fitted.fit));
+    const std::string words = fitted.over ? analysis::words_of(*fitted.over) : analysis::words_of(fitted.fit);
+    const std::string heading = fmt::format("friction fitted: {}\n{}", files, words);
     if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
     for (parameters::PlateJoint& joint : c.joints) {
         joint.contact.friction = wanted.contact.friction;
@@ -264,6 +353,7 @@ std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std:
         parameters::set_quantity(c, "contact.kinetic_friction", to_four_figures(wanted.contact.kinetic_friction));
         parameters::set_quantity(c, "contact.static_friction", to_four_figures(wanted.contact.static_friction));
     }
+    if (fitted.over) put_over_temperature(c, *fitted.over, law);
     return case_toml(c, {Comments::full, heading});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/analysis/friction_fit.hpp"
+#include "stridor/analysis/friction_over_temperature.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
 
 #include <cstddef>
@@ -19,12 +20,14 @@ struct FrictionFitTexts {
     std::string mass{};      // of the rig, "fit" where it is to be fitted; empty: not known
     std::string stiffness{};
     std::string damping{};
+    std::string temperature{};  // of the parts, one for all files or as many as files; empty: not known
 };
 
 /// Laws fitted to recordings, and what these were measured with.
 struct FittedFriction {
     std::vector<FrictionTest> tests{};
     analysis::FrictionFit fit{};
+    std::optional<analysis::FrictionOverTemperature> over{};  // of runs at several temperatures; `fit` is its whole
 };
 
 /// Returns the texts of each file, with its own preload and velocity. Throws `Error` (input) for lists of another
@@ -35,7 +38,8 @@ std::vector<FrictionTexts> texts_of_files(const FrictionFitTexts& texts);
 /// them is missing or not above zero.
 std::optional<analysis::MeasuringRig> measuring_rig(const FrictionFitTexts& texts);
 
-/// Reads recordings and fits each law of friction; `note` is told what is noteworthy. Throws `Error` (input), with the
+/// Reads recordings and fits each law of friction, over the temperature where they say several; `note` is told what is
+/// noteworthy. Throws `Error` (input), with the
 /// file as its place, for what reading and fitting refuse.
 FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::function<void(const std::string&)>& note);
 
@@ -49,7 +53,9 @@ std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& condi
 /// place of the law that was asked for.
 std::string friction_fit_json(const FittedFriction& fitted, std::size_t law);
 
-/// The text of a case with a fitted law, to four digits, of all its joints or contacts.
+/// The text of a case with a fitted law, to four digits, of all its joints or contacts. A law over the temperature has
+/// its numbers in [temperature]; throws `Error` (input) where such a table stands there already, and for rows over the
+/// speed.
 std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std::size_t law);
 
 }  // namespace stridor::io

@@ -121,6 +121,19 @@ void check_pair(CaseView at, std::vector<Finding>& found) {
     }
 }
 
+// numbers of a law that this case does not have
+void check_temperature(CaseView at, std::vector<Finding>& found) {
+    for (const std::string_view key :
+         {"contact.friction_slope", "contact.stribeck_velocity", "contact.viscous_friction"}) {
+        const Field& field = *find_field(key);
+        if (temperature_column(at, field) == nullptr || field.belongs(at)) continue;
+        found.push_back({std::string(key),
+                         {std::string(key) + " follows the temperature, and means nothing for this case",
+                          "it belongs to " + home_of(at, field), "Take it out of [temperature], or change the law."},
+                         {"contact.friction"}});
+    }
+}
+
 // where all contacts say one of them themselves, the case's own says nothing
 void check_contact(CaseView at, std::vector<Finding>& found) {
     for (const FrictionKeys& keys : friction_keys)
@@ -371,6 +384,7 @@ std::vector<Finding> findings_at(CaseView at) {
     check_friction_table(at, found);
     check_bristles(at, found);
     check_pair(at, found);
+    check_temperature(at, found);
     check_drive(c, found);
     check_run(c, found);
     check_start(at, found);

@@ -16,10 +16,11 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> followers{"joint.axial_stiffness",   "joint.flexural_stiffness",
-                                                    "joint.axial_damping",     "joint.flexural_damping",
-                                                    "plate.stiffness",         "plate.damping",
-                                                    "contact.static_friction", "contact.kinetic_friction"};
+constexpr std::array<std::string_view, 11> followers{
+    "joint.axial_stiffness",     "joint.flexural_stiffness", "joint.axial_damping",
+    "joint.flexural_damping",    "plate.stiffness",          "plate.damping",
+    "contact.static_friction",   "contact.kinetic_friction", "contact.friction_slope",
+    "contact.stribeck_velocity", "contact.viscous_friction"};
 
 const Field& temperature_field() {
     return *find_field("temperature.value");
