@@ -1,10 +1,14 @@
 #include "stridor/pictures/friction_fit.hpp"
 
+#include "stridor/analysis/friction_slip_fit.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +18,8 @@ namespace stridor::pictures {
 namespace {
 
 constexpr std::size_t fit_curve_points = 241;
+constexpr std::size_t most_drawn_slips = 24;
+constexpr double same_drive = 0.02;       // [1] velocities that differ less are one
 constexpr double log_speeds_from = 20.0;  // ratio of the ends from which the axis is logarithmic
 
 drawing::Points fit_points() {
@@ -67,9 +73,126 @@ void add_points(drawing::Panel& panel, const analysis::FrictionFit& fit, const s
     panel.layers.emplace_back(std::move(points));
 }
 
+// the samples of a slip over the time from its release on [ms], over the force at which it let go
+struct ReleasedSlip {
+    std::vector<double> time, force, left;
+};
+
+ReleasedSlip released_slip(const analysis::FrictionFit& fit, std::size_t law, std::size_t number) {
+    const analysis::RecordedSlip& slip = fit.data.slips[number];
+    const double limit = fit.laws[law].limits[number];
+    std::vector<double> times;  // [s]
+    for (std::size_t k = 0; k < slip.force.size(); ++k)
+        times.push_back(static_cast<double>(k) / slip.rate - fit.laws[law].onsets[number]);
+    const std::vector<double> model = analysis::slip_force(fit, law, number, times);
+    ReleasedSlip released;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        // the climb is long and straight: as much of it as of the slip
+        if (times[k] < -times.back()) continue;
+        released.time.push_back(1e3 * times[k]);
+        released.force.push_back(slip.force[k] / limit);
+        released.left.push_back((slip.force[k] - model[k]) / limit);
+    }
+    return released;
+}
+
+// of each velocity of the drive the slip whose release is the middle one
+std::vector<std::size_t> typical_slips(const analysis::FrictionFit& fit, std::size_t law) {
+    std::vector<std::size_t> order(fit.data.slips.size()), typical;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto velocity = [&](std::size_t slip) { return fit.data.slips[slip].velocity; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return velocity(a) < velocity(b); });
+    for (std::size_t from = 0, to = 0; from < order.size(); from = to) {
+        while (to < order.size() && velocity(order[to]) <= (1.0 + same_drive) * velocity(order[from]))
+            ++to;
+        const auto at = [&](std::size_t place) { return order.begin() + static_cast<std::ptrdiff_t>(place); };
+        const auto middle = at(from + (to - from) / 2);
+        std::nth_element(at(from), middle, at(to), [&](std::size_t a, std::size_t b) {
+            return fit.laws[law].limits[a] < fit.laws[law].limits[b];
+        });
+        typical.push_back(*middle);
+    }
+    return typical;
+}
+
+drawing::Line slip_line(const analysis::FrictionFit& fit, std::size_t law, std::size_t slip, drawing::Extent time,
+                        drawing::Stroke stroke) {
+    drawing::Line line{{}, {}, stroke};
+    std::vector<double> times;  // [s]
+    for (std::size_t k = 0; k < fit_curve_points; ++k) {
+        line.x.push_back(time.from + (time.to - time.from) * static_cast<double>(k) / (fit_curve_points - 1.0));
+        times.push_back(1e-3 * line.x.back());
+    }
+    line.y = analysis::slip_force(fit, law, slip, times);
+    for (double& force : line.y)
+        force /= fit.laws[law].limits[slip];
+    return line;
+}
+
+// the law, then those that the data do not tell from it
+std::vector<std::size_t> drawn_laws(const analysis::FrictionFit& fit, std::size_t law) {
+    std::vector<std::size_t> drawn{law}, others = fit.rivals;
+    if (law != fit.best) others.push_back(fit.best);
+    std::copy_if(others.begin(), others.end(), std::back_inserter(drawn),
+                 [&](std::size_t other) { return other != law; });
+    return drawn;
+}
+
+drawing::Scene slip_scene(const analysis::FrictionFit& fit, std::size_t law) {
+    drawing::Panel above, below;
+    drawing::Points samples = fit_points(), left = fit_points();
+    const std::size_t count = std::min(most_drawn_slips, fit.data.slips.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const ReleasedSlip slip = released_slip(fit, law, k * fit.data.slips.size() / count);
+        samples.x.insert(samples.x.end(), slip.time.begin(), slip.time.end());
+        samples.y.insert(samples.y.end(), slip.force.begin(), slip.force.end());
+        left.y.insert(left.y.end(), slip.left.begin(), slip.left.end());
+    }
+    left.x = samples.x;
+    const auto [first, last] = std::minmax_element(samples.x.begin(), samples.x.end());
+    above.x.label = "time from the release on";
+    above.x.unit = "ms";
+    above.x.range = {*first, *last};
+    below.x = above.x;
+    above.x.text = drawing::AxisText::hidden;
+    above.grid = below.grid = drawing::Grid::both;
+    below.row = 1;
+    above.y.label = drawing::StyledText("force / force at the release");
+    below.y.label = "left over";
+    above.y.unit = below.y.unit = "1";
+    drawing::Scene scene;
+    std::vector<double> shown = samples.y;
+    below.y.range = with_air(left.y);
+    above.layers.emplace_back(std::move(samples));
+    below.layers.emplace_back(std::move(left));
+    for (const std::size_t drawn : drawn_laws(fit, law)) {
+        const drawing::Stroke stroke = drawn == law ? drawing::Stroke{drawing::accent, 1.6, drawing::Dash::solid}
+                                                    : drawing::Stroke{drawing::ink, 0.9, drawing::Dash::dashed};
+        for (const std::size_t slip : typical_slips(fit, drawn)) {
+            drawing::Line line = slip_line(fit, drawn, slip, above.x.range, stroke);
+            shown.insert(shown.end(), line.y.begin(), line.y.end());
+            above.layers.emplace_back(std::move(line));
+        }
+        scene.legend.push_back({std::string(analysis::fitted_names[fit.laws[drawn].kind]), stroke});
+    }
+    above.y.range = with_air(shown);
+    below.layers.emplace_back(
+        drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::accent, 0.8, drawing::Dash::solid}});
+    scene.legend.push_back({"sample", fit_points()});
+    scene.title = "Slips, and the motion of the rig";
+    scene.caption = {drawing::StyledText(analysis::words_of(fit))};
+    scene.panels = {std::move(above), std::move(below)};
+    scene.row_heights = {1.0, 0.5};
+    scene.width = 120.0;
+    scene.height = 110.0;
+    return scene;
+}
+
 }  // namespace
 
 drawing::Scene friction_fit(const analysis::FrictionFit& fit, std::size_t law) {
+    if (fit.data.points.empty() && fit.slips > 0) return slip_scene(fit, law);
     if (fit.data.points.empty())
         base::refuse("there is nothing to draw", "the runs show no friction over the speed of slip",
                      "Measure while it slides steadily, or leave --figure out.");
@@ -96,11 +219,9 @@ drawing::Scene friction_fit(const analysis::FrictionFit& fit, std::size_t law) {
         above.layers.emplace_back(std::move(line));
         scene.legend.push_back({std::string(analysis::fitted_names[fit.laws[which].kind]), stroke});
     };
-    add_curve(law, {drawing::accent, 1.6, drawing::Dash::solid});
-    std::vector<std::size_t> others = fit.rivals;
-    if (law != fit.best) others.push_back(fit.best);
-    for (const std::size_t other : others)
-        if (other != law) add_curve(other, {drawing::ink, 0.9, drawing::Dash::dashed});
+    for (const std::size_t drawn : drawn_laws(fit, law))
+        add_curve(drawn, drawn == law ? drawing::Stroke{drawing::accent, 1.6, drawing::Dash::solid}
+                                      : drawing::Stroke{drawing::ink, 0.9, drawing::Dash::dashed});
     above.y.range = with_air(shown);
     below.layers.emplace_back(
         drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::accent, 0.8, drawing::Dash::solid}});

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace stridor::pictures {
 namespace {
@@ -51,6 +54,59 @@ TEST(FrictionFitScene, HasALogarithmicAxisOverManySpeeds) {
         EXPECT_LT(panel.x.range.from, 0.01);
         EXPECT_GT(panel.x.range.to, 1.0);
     }
+}
+
+// twelve slips of Coulomb's law, each with its own force of release, sampled at its own phase
+analysis::FrictionFit fitted_slips() {
+    constexpr analysis::MeasuringRig rig{0.127, 2000.0, 0.0};
+    parameters::Contact shape;
+    shape.static_friction = 1.0;
+    shape.kinetic_friction = 0.6;
+    analysis::FrictionPoints points;
+    for (std::size_t slip = 0; slip < 12; ++slip) {
+        analysis::RecordedSlip recorded;
+        recorded.rate = 1000.0;
+        recorded.velocity = 4e-3;
+        recorded.normal_force = 10.0;
+        recorded.limit = 5.0 + 0.01 * static_cast<double>(slip % 5);
+        recorded.climb = 8.0;
+        recorded.onset = 0.0104 + 1e-4 * static_cast<double>(slip % 7);
+        std::vector<double> times;
+        for (int k = 0; k < 34; ++k)
+            times.push_back(1e-3 * k - recorded.onset);
+        recorded.force =
+            analysis::slip_track(model::friction_law(shape), rig, {recorded.velocity, recorded.limit, 1e-4}, times)
+                .force;
+        for (std::size_t k = 0; k < recorded.force.size(); ++k)
+            recorded.force[k] += (k * k + slip) % 3 == 0 ? 2e-3 : -1e-3;
+        points.slips.push_back(std::move(recorded));
+    }
+    return analysis::friction_fit(std::move(points), rig);
+}
+
+TEST(FrictionFitScene, ShowsSlipsAndTheMotionOfTheRig) {
+    const analysis::FrictionFit fit = fitted_slips();
+    ASSERT_EQ(fit.slips, 12U);
+    const std::size_t law = law_called(fit, "coulomb");
+    const drawing::Scene scene = friction_fit(fit, law);
+    ASSERT_EQ(scene.panels.size(), 2U);
+    const drawing::Points samples = layers_of<drawing::Points>(scene.panels[0]).at(0);
+    const drawing::Points left = layers_of<drawing::Points>(scene.panels[1]).at(0);
+    EXPECT_GT(samples.x.size(), 12U * 25U);
+    ASSERT_EQ(left.y.size(), samples.y.size());
+    const drawing::Line motion = layers_of<drawing::Line>(scene.panels[0]).at(0);
+    const double w0 = std::sqrt(2000.0 / 0.127);
+    for (std::size_t k = 0; k < samples.x.size(); ++k) {
+        EXPECT_NEAR(samples.y[k], 1.0, 0.85);
+        EXPECT_LT(std::abs(left.y[k]), 1e-3);  // 2 mN of 5 N, and what the fit leaves
+    }
+    // 0.6 + 0.4 cos of the swing, and the little that the drive adds; of 2.02 N, of 5.02 N
+    for (std::size_t k = 0; k < motion.x.size(); ++k) {
+        if (motion.x[k] < 0.0 || motion.x[k] > 20.0) continue;
+        const double t = 1e-3 * motion.x[k];
+        EXPECT_NEAR(motion.y[k], 0.6 + 0.4 * std::cos(w0 * t) + 2000.0 * 4e-3 / w0 / 5.02 * std::sin(w0 * t), 2e-3);
+    }
+    EXPECT_EQ(drawing::plain_text(scene.legend.front().text), "coulomb");
 }
 
 TEST(FrictionFitScene, NeedsPoints) {
