@@ -1,7 +1,7 @@
 // Time and accuracy of the engines and of general solvers on the same equations, as Markdown tables.
 //
 // The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; a small
-// chart over the ranges of Figure 8, and falling friction. Errors are differences from the reference of 33 digits
+// chart over the ranges of Figure 8, falling friction, bristles. Errors are differences from the reference of 33 digits
 // (tests/support/oracles/quad_reference), which is computed once per case and does not belong to the measurement. Times
 // are processor time of the thread, medians of runs.
 
@@ -243,12 +243,58 @@ std::vector<Problem> falling_friction() {
     return problems;
 }
 
-void compare_on_falling_friction(const std::vector<Peer>& all) {
-    const std::vector<Problem> problems = falling_friction();
-    // without beta_2, whose steps would take minutes for the block
+// beta_2 would take minutes for a block, and has no state of the contact
+std::vector<Peer> without_steps(const std::vector<Peer>& all) {
     std::vector<Peer> taken;
     std::copy_if(all.begin(), all.end(), std::back_inserter(taken),
                  [](const Peer& peer) { return !peer.name.starts_with("Stridor beta_2"); });
+    return taken;
+}
+
+// the paper's joint with bristles; a slip below a twentieth of the drive's velocity is told as a stick
+std::vector<Problem> bristles() {
+    std::vector<Problem> problems;
+    for (const double velocity : {0.03, 0.1, 0.3}) {
+        Case c = parameters::paper_case(parameters::PaperCase::squeak);
+        c.contact().friction = parameters::FrictionKind::lugre;
+        c.contact().stribeck_velocity = 0.05;
+        c.contact().bristle_stiffness = 2e5;
+        c.contact().bristle_damping = 0.2;
+        c.contact().viscous_friction = 1.0;
+        c.verdict.creep_speed = 0.05 * velocity;
+        c.drive.kind = parameters::DriveKind::constant;
+        c.drive.velocity = velocity;
+        c.run.initial = parameters::Initial::stuck;
+        c.run.duration = c.run.window = 0.1;
+        problems.push_back(with_general_reference(fmt::format("joint, {} m/s", velocity), c));
+    }
+    return problems;
+}
+
+void compare_on_bristles(const std::vector<Peer>& all) {
+    const std::vector<Problem> problems = bristles();
+    std::vector<Peer> taken = without_steps(all);
+    for (Peer& peer : stiff_peers())
+        taken.push_back(std::move(peer));
+    std::vector<Row> rows;
+    for (const Peer& peer : taken) {
+        rows.emplace_back();
+        for (const Problem& problem : problems)
+            rows.back().push_back(measure(peer, problem, least_runs, most_runs));
+    }
+    fmt::print("\n### LuGre: processor time per simulated second [ms]\n\n");
+    print_numbers(
+        taken, problems, rows, [](const Measurement& m) { return 1e3 * m.time; }, "{:.3g}");
+    fmt::print("\n### LuGre: largest error of a rate [1]\n\n");
+    print_numbers(
+        taken, problems, rows, [](const Measurement& m) { return m.error; }, "{:.1e}");
+    fmt::print("\n### LuGre: changes of state in common with odeint, rtol 1e-14\n\n");
+    print_agreement(taken, problems, rows);
+}
+
+void compare_on_falling_friction(const std::vector<Peer>& all) {
+    const std::vector<Problem> problems = falling_friction();
+    const std::vector<Peer> taken = without_steps(all);
     std::vector<Row> rows;
     for (const Peer& peer : taken) {
         rows.emplace_back();
@@ -301,5 +347,6 @@ int main(int count, char** arguments) {
     compare_on_table_1(all);
     compare_on_chart(all);
     compare_on_falling_friction(all);
+    compare_on_bristles(all);
     return 0;
 }

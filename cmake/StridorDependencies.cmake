@@ -94,5 +94,6 @@ if(STRIDOR_TESTS)
 endif()
 if(STRIDOR_BENCHMARKS)
     find_package(benchmark REQUIRED)
-    find_package(SUNDIALS 6 QUIET COMPONENTS cvode nvecserial sunnonlinsolfixedpoint)  # a peer, CVODE; optional
+    find_package(SUNDIALS 6 QUIET COMPONENTS cvode nvecserial sunnonlinsolfixedpoint sunlinsoldense
+        sunmatrixdense)  # a peer, CVODE; optional
 endif()

@@ -4,6 +4,7 @@
 
 #include "peers/odeint.hpp"
 
+#include "peers/bristles.hpp"
 #include "peers/rubbing.hpp"
 
 #include <boost/numeric/odeint.hpp>
@@ -28,10 +29,10 @@ struct Event {
     std::size_t which;  // number of the event function
 };
 
-template <typename Stepper>
+template <typename System, typename Phase, typename Stepper>
 class Search {
 public:
-    Search(const Rubbing& r, const Mode& mode, const Stepper& stepper) : r_(r), mode_(mode), stepper_(stepper) {}
+    Search(const System& r, const Phase& mode, const Stepper& stepper) : r_(r), mode_(mode), stepper_(stepper) {}
 
     // the first event after `from`; its time is beyond `to` if there is none
     Event first(double from, double to) const {
@@ -41,16 +42,16 @@ public:
     }
 
 private:
-    Margins at(double time) const {
-        Motion s;
+    auto at(double time) const {
+        typename Stepper::state_type s;
         stepper_.calc_state(time, s);
         return margins(r_, mode_, s.data());
     }
 
     Event first_between(double from, double to) const {
-        const Margins end = at(to);
+        const auto end = at(to);
         Event event{2.0 * to, 0};
-        for (std::size_t which = 0; which < 2; ++which) {
+        for (std::size_t which = 0; which < end.size(); ++which) {
             if (end[which] >= 0.0) continue;
             double low = from, high = to;
             while (high - low > event_accuracy) {
@@ -63,23 +64,22 @@ private:
         return event;
     }
 
-    const Rubbing& r_;
-    const Mode& mode_;
+    const System& r_;
+    const Phase& mode_;
     const Stepper& stepper_;
 };
 
-}  // namespace
-
-record::ContactHistory by_odeint(const parameters::Case& c, double relative) {
-    const Rubbing r = rubbing(c);
-    Motion s = first_motion(r, c);
-    Mode mode = closed(r, s);
+template <typename System>
+record::ContactHistory solved(const System& r, const parameters::Case& c, double relative) {
+    auto s = first_motion(r, c);
+    using State = decltype(s);
+    auto mode = closed(r, s);
     record::ContactHistory history;
-    note(history, mode.state, 0.0);
+    note(history, told(r, mode), 0.0);
 
-    auto stepper = odeint::make_dense_output(absolute, relative, odeint::runge_kutta_dopri5<Motion>());
+    auto stepper = odeint::make_dense_output(absolute, relative, odeint::runge_kutta_dopri5<State>());
     const Search search(r, mode, stepper);
-    const auto system = [&](const Motion& x, Motion& dxdt, double) { derivative(r, mode, x.data(), dxdt.data()); };
+    const auto system = [&](const State& x, State& dxdt, double) { derivative(r, mode, x.data(), dxdt.data()); };
     stepper.initialize(s, 0.0, first_step);
     ChatterGuard guard;
     while (true) {
@@ -89,7 +89,7 @@ record::ContactHistory by_odeint(const parameters::Case& c, double relative) {
         if (event.time <= end) {
             stepper.calc_state(event.time, s);
             mode = change(r, mode, event.which, s);
-            note(history, mode.state, event.time);
+            note(history, told(r, mode), event.time);
             guard.count(event.time);
             stepper.initialize(s, event.time, stepper.current_time_step());
         } else if (to >= c.run.duration) {
@@ -98,6 +98,13 @@ record::ContactHistory by_odeint(const parameters::Case& c, double relative) {
     }
     history.back().to = c.run.duration;
     return history;
+}
+
+}  // namespace
+
+record::ContactHistory by_odeint(const parameters::Case& c, double relative) {
+    if (c.contact().friction == parameters::FrictionKind::lugre) return solved(bristled(c), c, relative);
+    return solved(rubbing(c), c, relative);
 }
 
 std::string odeint_version() {

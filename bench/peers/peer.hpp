@@ -18,6 +18,9 @@ struct Peer {
 /// Everybody that is compared, in the order of the tables; a peer that was not found when configuring is left out.
 std::vector<Peer> peers();
 
+/// Who is compared besides where the equations are stiff.
+std::vector<Peer> stiff_peers();
+
 /// What was compared, and what was not found: one line each.
 std::vector<std::string> peer_versions();
 

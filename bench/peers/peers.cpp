@@ -30,6 +30,15 @@ std::vector<Peer> peers() {
     };
 }
 
+std::vector<Peer> stiff_peers() {
+    return {
+#ifdef STRIDOR_WITH_CVODE
+        {"CVODE BDF, rtol 1e-8", [](const Case& c) { return by_cvode(c, 1e-8, Formulas::bdf); }},
+        {"CVODE BDF, rtol 1e-11", [](const Case& c) { return by_cvode(c, 1e-11, Formulas::bdf); }},
+#endif
+    };
+}
+
 std::vector<std::string> peer_versions() {
     return {
         "Stridor " + std::string(base::version()),

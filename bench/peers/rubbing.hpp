@@ -150,6 +150,10 @@ inline Mode change(const Rubbing& r, Mode mode, std::size_t which, Motion& s) {
     return without_slip(r, s);
 }
 
+inline ContactState told(const Rubbing&, Mode mode) {
+    return mode.state;
+}
+
 inline Motion first_motion(const Rubbing& r, const parameters::Case& c) {
     return {0.0, 0.0, 0.0, c.run.initial == parameters::Initial::stuck ? r.V : 0.0, 0.0, 0.0};
 }
