@@ -1,5 +1,6 @@
 #include "stridor/analysis/friction_fit.hpp"
 
+#include "stridor/analysis/friction_joint_fit.hpp"
 #include "stridor/analysis/friction_regression.hpp"
 #include "stridor/analysis/friction_slip_fit.hpp"
 #include "stridor/base/error.hpp"
@@ -19,6 +20,7 @@ using parameters::Contact;
 using parameters::FrictionKind;
 
 constexpr std::size_t most_table_rows = 8;
+constexpr std::size_t fewest_joint_points = 4;
 constexpr double likelier_difference = 2.0;  // [1] of Akaike's criterion: below it no law is the likelier one
 constexpr double same_speed = 0.02;          // [1] speeds that differ less are one
 constexpr double least_relative = 1e-9;      // [1] of the level: deviations below are rounding
@@ -324,8 +326,11 @@ void choose_law(FrictionFit& fit) {
 }
 
 FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig, std::optional<double> exponent) {
-    if (data.points.empty() && rig && data.slips.size() >= fewest_slips) {
-        FrictionFit fit = fit_of_slips(std::move(data), *rig, exponent);
+    if (rig && data.slips.size() >= fewest_slips) {
+        const bool has_both = data.points.size() >= fewest_joint_points;
+        if (!has_both) data.points.clear();
+        FrictionFit fit =
+            has_both ? fit_of_both(std::move(data), *rig, exponent) : fit_of_slips(std::move(data), *rig, exponent);
         choose_law(fit);
         return fit;
     }

@@ -89,8 +89,8 @@ struct FrictionFit {
 /// Pereyra 1973). delta is 1 or 2, whichever fits better. The interval of a number holds all its values at which the
 /// sum of squares, the others fitted anew, stays below s^2 t^2 above the least (profile likelihood), t being Student's
 /// of 95 %. It needs no law to be nearly linear in its numbers. Runs that all have stick-slip are fitted through the
-/// model of the rig (`fit_of_slips`); without a rig they have Coulomb's numbers. An exponent that is given is the only
-/// delta. Throws `Error` (input) for too few points.
+/// model of the rig (`fit_of_slips`); without a rig they have Coulomb's numbers. Runs of both kinds are fitted at once
+/// (`fit_of_both`). An exponent that is given is the only delta. Throws `Error` (input) for too few points.
 FrictionFit friction_fit(FrictionPoints data, const std::optional<MeasuringRig>& rig = {},
                          std::optional<double> exponent = {});
 

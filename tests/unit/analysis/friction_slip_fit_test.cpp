@@ -16,6 +16,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -207,6 +208,54 @@ TEST(FrictionFitOfSlips, CoversTheTruthWithAKnownRig) {
 TEST(FrictionFitOfSlips, CoversTheTruthAndTheRigWhereItIsFitted) {
     const std::size_t traces = fitted_traces(1);
     expect_coverage(coverage_of({to_fit, to_fit, slip_rig.damping}, traces), traces, 1);
+}
+
+// steady means at 30 to 120 mm/s, where slips seldom go, with noise of 0.2 % of the preload
+FrictionPoints steady_points(const parameters::Contact& contact, support::CounterRandom& random) {
+    FrictionPoints points;
+    const model::FrictionLaw law = model::friction_law(contact);
+    for (std::size_t run = 0; run < 4; ++run)
+        for (std::size_t k = 0; k < 40; ++k) {
+            FrictionPoint point;
+            const double speed = 0.03 * static_cast<double>(run + 1);
+            point.speeds.fill(speed);
+            point.friction = slip_ratio(law, model::Slip::backward, -speed) + 0.002 * normal(random);
+            point.run = run + 1;
+            points.points.push_back(point);
+        }
+    return points;
+}
+
+double width_of(const FrictionFit& fit, std::string_view law, std::string_view symbol) {
+    for (const FittedNumber& number : fit.laws[law_called(fit, law)].numbers)
+        if (number.field->symbol == symbol) return number.to - number.from;
+    return 0.0;
+}
+
+// what both say is told better than what either says, and lies where the truth is
+TEST(FrictionFitOfBoth, JoinsSteadyRunsAndSlips) {
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+        const std::string name(fitted_names[kind]);
+        const parameters::Contact truth = slipping_contact(fitted_kinds[kind]);
+        support::CounterRandom random(1000 + kind);  // other numbers than those of the slips
+        FrictionPoints both = steady_points(truth, random);
+        const FrictionFit slips = fit_of_stick_slip(fitted_kinds[kind], slip_rig, kind + 1);
+        both.slips = slips.data.slips;
+        const FrictionFit steady = friction_fit(both);
+        const FrictionFit fit = friction_fit(both, slip_rig);
+        EXPECT_EQ(fit.laws[fit.best].kind, kind) << words_of(fit);
+        EXPECT_EQ(fit.slips, slips.slips);
+        EXPECT_EQ(fit.laws[fit.best].residuals.size(), both.points.size());
+        for (const FittedNumber& number : fit.laws[law_called(fit, name)].numbers) {
+            const std::string symbol(number.field->symbol);
+            if (symbol == "delta") continue;
+            const double value = true_value(truth, symbol), half = 0.5 * (number.to - number.from);
+            EXPECT_NEAR(number.value, value, 1.7 * half) << name << " " << symbol;
+            EXPECT_LT(2.0 * half, 1.02 * width_of(slips, name, symbol)) << name << " " << symbol;
+        }
+        if (kind == 0) continue;
+        EXPECT_LT(width_of(fit, name, "mu_d"), 0.8 * width_of(steady, name, "mu_d")) << name;
+    }
 }
 
 TEST(FrictionFitOfSlips, NeedsTheRig) {

@@ -41,19 +41,19 @@ std::string interval_text(const Number& number) {
 }
 
 std::string points_text(const analysis::FrictionFit& fit) {
-    std::string text;
-    if (!fit.data.points.empty()) {
-        text += fmt::format("{} at {} of slip, as good as {:.0f} independent ones",
-                            counted(fit.data.points.size(), "point", "points"), counted(fit.speeds, "speed", "speeds"),
-                            fit.independent);
-        if (fit.data.longest_block > 0.0)
-            text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
-        text += "\n";
-    }
-    if (fit.slips > 0)
-        text += fmt::format("{} through the model of the rig, as good as {:.0f} independent samples\n",
-                            counted(fit.slips, "slip", "slips"), fit.independent);
-    return text;
+    const std::string points = counted(fit.data.points.size(), "point", "points") + " at " +
+                               counted(fit.speeds, "speed", "speeds") + " of slip";
+    const std::string slips = counted(fit.slips, "slip", "slips") + " through the model of the rig";
+    const bool has_points = !fit.data.points.empty();
+    if (!has_points && fit.slips == 0) return "";
+    std::string text = fmt::format("{}, as good as {:.0f} independent {}",
+                                   !has_points      ? slips
+                                   : fit.slips == 0 ? points
+                                                    : points + ", and " + slips,
+                                   fit.independent, has_points && fit.slips == 0 ? "ones" : "samples");
+    if (has_points && fit.data.longest_block > 0.0)
+        text += fmt::format("; means over {:.3g} to {:.3g} s", fit.data.shortest_block, fit.data.longest_block);
+    return text + "\n";
 }
 
 // "stribeck, with intervals of 95 %", its numbers below
