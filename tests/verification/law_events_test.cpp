@@ -58,10 +58,17 @@ LawOnJoint linear() {
     return given;
 }
 
-LawOnJoint stribeck(const std::string& name, FrictionKind kind, double exponent, double viscous) {
-    constexpr double mu_s = 0.8, mu_d = 0.2, v_s = 0.05;
+// (|w|/v_s)^delta at which what is left of the fall is far below rounding
+Real fallen_power(FrictionKind kind) {
+    return kind == FrictionKind::stribeck_rational ? Real(1e22) : Real(60);
+}
+
+LawOnJoint stribeck(const std::string& name, FrictionKind kind, double exponent, double viscous, double v_s = 0.05) {
+    constexpr double mu_s = 0.8, mu_d = 0.2;
     LawOnJoint given{name, model::Stribeck{mu_s, mu_d, v_s, exponent, viscous, kind}, {}};
     given.anew.limit = constant_limit(mu_s);
+    // far beyond v_s stages of a step see a constant: a step may not pass the fall unseen
+    given.anew.corners = {Real(v_s) * std::pow(fallen_power(kind), Real(1) / Real(exponent))};
     given.anew.resistance = [=](Real speed, Real) {
         const Real x = std::pow(speed / Real(v_s), static_cast<int>(exponent));
         const Real left = kind == FrictionKind::stribeck ? std::exp(-x) : 1 / (1 + x);
@@ -86,7 +93,7 @@ Real cubic_slope(std::size_t row) {
     return before * after / (share * after + (1 - share) * before);
 }
 
-LawOnJoint measured(parameters::Interpolation interpolation) {
+LawOnJoint by_table(parameters::Interpolation interpolation) {
     const bool is_cubic = interpolation == parameters::Interpolation::cubic;
     auto curve =
         std::make_shared<const model::MeasuredCurve>(model::measured_curve(table_speeds, table_rows, interpolation));
@@ -134,6 +141,8 @@ LawOnJoint bristles(const std::string& name, const model::LuGre& law) {
     given.anew.resistance = [=](Real speed, Real state) {
         return state + Real(law.damping) * bend(speed, state) + Real(curve.viscous) * speed;
     };
+    given.anew.corners = {Real(curve.velocity) *
+                          std::pow(fallen_power(FrictionKind::stribeck), Real(1) / Real(curve.exponent))};
     given.anew.rate = [=](Real speed, Real state) { return Real(law.stiffness) * bend(speed, state); };
     given.anew.impact = [=](Real speed) { return bearing(speed) + Real(curve.viscous) * speed; };
     given.anew.impact_limit = curve.static_coefficient;
@@ -163,6 +172,12 @@ LawOnJoint rate_and_state(const std::string& name, const model::RateAndState& la
     return given;
 }
 
+// a speed below zero, which a step may try, has exp(|w|/v_s): long steps are wrong before their error tells
+LawOnJoint in_steps_of(double longest, LawOnJoint given) {
+    given.anew.longest_step = longest;
+    return given;
+}
+
 LawOnJoint pressed(double preload, LawOnJoint given) {
     given.preload = preload;
     given.V = -given.V;
@@ -176,8 +191,12 @@ std::vector<LawOnJoint> laws_on_joints() {
         stribeck("stribeck, Gaussian", FrictionKind::stribeck, 2.0, 0.0),
         stribeck("stribeck-rational", FrictionKind::stribeck_rational, 1.0, 0.1),
         stribeck("stribeck-rational, square", FrictionKind::stribeck_rational, 2.0, 0.0),
-        measured(parameters::Interpolation::cubic),
-        measured(parameters::Interpolation::linear),
+        // far beyond v_s friction has fallen to the last bit: nothing of the series tells that it will rise again
+        in_steps_of(1e-6, stribeck("stribeck, fallen", FrictionKind::stribeck, 1.0, 0.1, 2e-4)),
+        stribeck("stribeck, Gaussian, fallen", FrictionKind::stribeck, 2.0, 0.0, 2e-3),
+        stribeck("stribeck-rational, fallen", FrictionKind::stribeck_rational, 20.0, 0.0, 5e-3),
+        by_table(parameters::Interpolation::cubic),
+        by_table(parameters::Interpolation::linear),
         resting("rest, logarithmic", {RestKind::logarithmic, 0.05, 1e-4}),
         resting("rest, Kato", {RestKind::kato, 0.2, 1e-3, 0.5}),
         bristles("lugre", {{0.8, 0.2, 0.05, 1.0, 1.0}, 2e5, 0.2}),

@@ -213,7 +213,7 @@ std::vector<RubbingEvent> rubbing_by_runge_kutta(const model::Structure& structu
         const auto motion = [&](const JointState& at, JointState& rate, Real) { rubbed.rates(doing, at, rate); };
         const JointState before = s;
         const Real from = time;
-        step = std::min(step, Real(until) - time);
+        step = std::min({step, law.longest_step, Real(until) - time});
         if (stepper.try_step(motion, s, time, step) != odeint::success) continue;
         const auto length = time - from;
         const std::ptrdiff_t stretch = rubbed.corners_below(before);

@@ -21,6 +21,7 @@ struct LawAnew {
     Real impact_limit = 0;  // [1] of an impact that leaves no slip, of a law with state
     bool state_turns = false;
     std::vector<Real> corners{};  // [m/s] rising
+    Real longest_step = 1;        // [s]
     Real creep_speed = 0;         // [m/s] of a law with a state: below it a slip counts as a stick
 };
 

@@ -139,6 +139,7 @@ private:
         model::FrictionJet jet;
         model::SmoothStretch stretch{};
         double corner_rounding = 0.0;  // [m/s]
+        double told_change = 0.0;      // [m/s] of the speed, for which the last terms say whether they have converged
         BlockSeries speed{};           // [m/s]
         BlockSeries ratio{};           // [1]
         BlockSeries state{};           // of friction, as the law has it

@@ -29,6 +29,14 @@ double product_without_first(const BlockSeries& a, const BlockSeries& b, std::si
     return sum;
 }
 
+// [m/s] bound of the change of a speed up to a share of the block
+double change_within(const BlockSeries& speed, double share) {
+    double change = 0.0;
+    for (std::size_t m = speed.size(); m-- > 1;)
+        change = (change + std::abs(speed[m])) * share;
+    return change;
+}
+
 // c_m share^m
 template <typename Series>
 void scale_powers(Series& c, double share) {
@@ -58,6 +66,7 @@ void TaylorBlock::begin_rubbing() {
                      .jet = {contact.friction, way, state_sign * friction_states_[k], length_},
                      .corner_rounding = stretch_rounding * velocity_scale(k)};
         slip.speed[0] = slip.sign * (dot(contact.tangent, v) - contact.drive_share * surface_[0]);
+        slip.told_change = told_change(contact.friction, slip.speed[0]);
         slip.ratio[0] = -slip.sign * slip.jet.next({slip.speed.data(), 1});
         slip.state[0] = slip.jet.state();
         rubbing_.push_back(slip);
@@ -159,9 +168,11 @@ double TaylorBlock::reached_share() const {
             const First begin{std::abs(s[0]), std::abs(s[1]), std::abs(s[2]), std::abs(s[3])};
             return power * std::abs(s[static_cast<std::size_t>(order_)]) <= series_rounding * whole_of(begin, share);
         };
+        const auto is_told = [&](const Rubbing& slip) {
+            return is_rounding(slip.state) && change_within(slip.speed, share) <= slip.told_change;
+        };
         // where a contact sticks its velocity tells nothing of the force that springs need
-        return std::all_of(rubbing_.begin(), rubbing_.end(),
-                           [&](const Rubbing& slip) { return is_rounding(slip.state); }) &&
+        return std::all_of(rubbing_.begin(), rubbing_.end(), is_told) &&
                std::all_of(stretching_.begin(), stretching_.end(),
                            [&](const Stretching& at) { return is_rounding(at.force); });
     };

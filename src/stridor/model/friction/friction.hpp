@@ -160,6 +160,14 @@ struct Stribeck {
     SlopeRange slopes() const { return {-exponent * fall() / velocity, viscous}; }
     // a power that is no whole number is not analytic where a slip begins
     bool has_jet() const { return exponent == std::floor(exponent); }
+    // Friction has fallen beyond it: what is left of the fall is below rounding. A power series that begins there would
+    // not tell that friction rises again as the speed falls.
+    std::array<double, 1> corners(Slip) const;
+    // As a slip begins its series has terms of multiples of delta alone. The last of 24 show up to delta = 4 whether it
+    // has converged; with more they may lie between two, and a fifth of v_s is certain.
+    double told_change(double speed) const {
+        return exponent > 4.0 && speed < velocity ? 0.2 * velocity : std::numeric_limits<double>::infinity();
+    }
     double jet(Slip way, JetTerms& terms) const;
     double fall() const { return static_coefficient - kinetic_coefficient; }
     bool is_exponential() const { return kind == parameters::FrictionKind::stribeck; }
@@ -242,6 +250,8 @@ struct LuGre {
     double state_resistance(double speed, double state) const;  // [1]
     StateSlopes state_slopes(double speed) const;
     bool has_jet() const { return curve.has_jet(); }
+    std::array<double, 1> corners(Slip way) const { return curve.corners(way); }
+    double told_change(double speed) const { return curve.told_change(speed); }
     double jet(Slip way, JetTerms& terms) const;
     bool operator==(const LuGre&) const = default;
 };

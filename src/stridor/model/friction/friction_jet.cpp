@@ -48,11 +48,22 @@ double middle(const SmoothStretch& stretch) {
 
 }  // namespace
 
+// where f(x) is the rounding of 1
+std::array<double, 1> Stribeck::corners(Slip) const {
+    if (!(fall() > 0.0)) return {std::numeric_limits<double>::infinity()};
+    const double fallen = is_exponential() ? 37.0 : 0x1p53;  // [1] (|w|/v_s)^delta
+    return {velocity * base::power(fallen, 1.0 / exponent)};
+}
+
 // y = exp(-x) has m y_m = -sum j x_j y_(m-j); y = 1/(1 + x) has (1 + x_0) y_m = -sum x_j y_(m-j)
 double Stribeck::jet(Slip, JetTerms& terms) const {
     const std::size_t m = terms.last();
-    const std::span<const double> x = speed_powers(*this, terms);
     std::array<double, most_jet_coefficients>& y = terms.own[outer];
+    if (m > 0 && terms.stretch.from > 0.0) {
+        y[m] = 0.0;
+        return viscous * terms.speed[m];
+    }
+    const std::span<const double> x = speed_powers(*this, terms);
     if (m == 0) {
         y[0] = is_exponential() ? base::exponential(-x[0]) : 1.0 / (1.0 + x[0]);
         const double lost = is_exponential() ? 1.0 - y[0] : x[0] * y[0];
@@ -130,6 +141,17 @@ SmoothStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, doub
                 return stretch_between(each.corners(way), speed, rounding, side);
             else
                 return SmoothStretch{};
+        },
+        law);
+}
+
+double told_change(const FrictionLaw& law, double speed) {
+    return std::visit(
+        [&](const auto& each) {
+            if constexpr (requires { each.told_change(speed); })
+                return each.told_change(speed);
+            else
+                return std::numeric_limits<double>::infinity();
         },
         law);
 }

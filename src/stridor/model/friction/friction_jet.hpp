@@ -11,6 +11,9 @@ namespace stridor::model {
 /// Returns the stretch of a speed of slip [m/s]; within `rounding` [m/s] of a corner, the one on that side.
 SmoothStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, double rounding, CornerSide side);
 
+/// Returns over what change from a speed of slip [m/s] the last terms of a series tell whether it has converged.
+double told_change(const FrictionLaw& law, double speed);
+
 /// Can the law's resistance be expanded, whatever the speed of slip?
 bool has_jet(const FrictionLaw& law);
 
