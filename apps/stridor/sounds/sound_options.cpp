@@ -11,7 +11,10 @@
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace stridor::app {
 
@@ -27,6 +30,27 @@ sound::AnalysisProgress progress_of(const signal::ChannelLayout& layout) {
     if (!display.is_shown()) return {};
     return [display](std::uint64_t frames) mutable { display.show(frames); };
 }
+
+/// A recording that is opened, and what is known of it.
+struct Listening {
+    explicit Listening(const SoundOptions& options) {
+        report.thresholds = thresholds_of(options);
+        file = recordings::open_signal(options.file, open_options(options.recording));
+        report.file = file->facts().name;
+        report.format = file->facts().format;
+        report.notes = file->facts().notes;
+    }
+
+    void hear(const sound::AnalysisProgress& progress, std::optional<sound::SoundField> field = {}) {
+        report.channels = sound::analyse(*file, progress, side_by_side, field);
+        for (const sound::SoundAnalysis& analysis : report.channels)
+            report.verdicts.push_back(classification::verdict_on(analysis, report.thresholds));
+        report.loudest = sound::loudest(report.channels);
+    }
+
+    std::unique_ptr<recordings::SignalFile> file{};
+    io::SoundReport report{};
+};
 
 }  // namespace
 
@@ -59,33 +83,43 @@ recordings::OpenOptions open_options(const InputOptions& options) {
     return open;
 }
 
-void add_sound_options(CLI::App& command, SoundOptions& options) {
-    command
-        .add_option("file", options.file,
-                    "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV, UFF 58 or MAT file; - for standard input")
-        ->required();
+void add_listening_options(CLI::App& command, SoundOptions& options) {
     add_input_options(command, options.recording);
     command.add_option("--set", options.thresholds, "another threshold: --set squeal_regularity=0.7 (repeatable)")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }
 
-io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field) {
-    io::SoundReport report;
+void add_sound_options(CLI::App& command, SoundOptions& options) {
+    command
+        .add_option("file", options.file,
+                    "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV, UFF 58 or MAT file; - for standard input")
+        ->required();
+    add_listening_options(command, options);
+}
+
+parameters::SoundThresholds thresholds_of(const SoundOptions& options) {
+    parameters::SoundThresholds thresholds;
     for (const std::string& assignment : options.thresholds)
-        parameters::set_sound_threshold(report.thresholds, assignment);
-    const std::unique_ptr<recordings::SignalFile> file =
-        recordings::open_signal(options.file, open_options(options.recording));
-    report.file = file->facts().name;
-    report.format = file->facts().format;
-    report.notes = file->facts().notes;
-    for (const std::string& note : report.notes)
+        parameters::set_sound_threshold(thresholds, assignment);
+    return thresholds;
+}
+
+io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field) {
+    Listening listening(options);
+    for (const std::string& note : listening.report.notes)
         console::say("stridor: note: " + note);
-    report.channels = sound::analyse(*file, progress_of(file->layout()), side_by_side, field);
-    for (const sound::SoundAnalysis& analysis : report.channels)
-        report.verdicts.push_back(classification::verdict_on(analysis, report.thresholds));
-    report.loudest = sound::loudest(report.channels);
-    return report;
+    listening.hear(progress_of(listening.file->layout()), field);
+    return std::move(listening.report);
+}
+
+io::SoundReport listen_quietly_to(const SoundOptions& options, const std::function<void(double share)>& progress) {
+    Listening listening(options);
+    const double whole = static_cast<double>(listening.file->layout().frames.value_or(0));
+    listening.hear([&](std::uint64_t frames) {
+        progress(whole > 0.0 ? std::min(1.0, static_cast<double>(frames) / whole) : 0.0);
+    });
+    return std::move(listening.report);
 }
 
 }  // namespace stridor::app

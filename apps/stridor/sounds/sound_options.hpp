@@ -4,6 +4,7 @@
 #include "stridor/recordings/open_signal.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,11 +39,21 @@ struct SoundOptions {
     std::vector<std::string> thresholds;  // "squeal_regularity=0.7"
 };
 
+/// Adds --full-scale, --channel, --dataset, --rate and --set.
+void add_listening_options(CLI::App& command, SoundOptions& options);
+
 /// Adds the file, --full-scale, --channel, --dataset, --rate and --set.
 void add_sound_options(CLI::App& command, SoundOptions& options);
+
+/// Returns the thresholds by ear. Throws `Error` (input) for an unknown name or a value that does not fit.
+parameters::SoundThresholds thresholds_of(const SoundOptions& options);
 
 /// Reads, analyses and judges the recording of the options; says notes and progress on stderr. If `field` is given, the
 /// channels in Pa get their sound quality, heard in that field.
 io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field = {});
+
+/// Reads, analyses and judges the recording of the options. Says nothing: `progress` gets the share [1] that is done,
+/// where the recording tells its length, else 0.
+io::SoundReport listen_quietly_to(const SoundOptions& options, const std::function<void(double share)>& progress);
 
 }  // namespace stridor::app

@@ -38,14 +38,6 @@ struct Refusal {
     Error error;
 };
 
-// "run.csv:12: the file is empty"
-std::string reason_of(const std::string& file, const Error& error) {
-    const base::Problem& problem = error.problem();
-    const std::string place = error.place() ? base::describe(*error.place()) : file;
-    const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
-    return (problem.what.find(file) == std::string::npos ? place + ": " : "") + problem.what + why;
-}
-
 // what goes wrong in there is the file's fault
 template <typename Work>
 auto with(const Work& work) {
@@ -84,7 +76,7 @@ void add_all(Library& library, const recordings::RecordingFiles& files, const Ad
             take(library, file, adding, arrivals);
         } catch (const Refusal& refusal) {
             if (adding.refused == Refused::thrown) throw Error(refusal.error);
-            arrivals.refused.push_back({file.string(), reason_of(file.string(), refusal.error)});
+            arrivals.refused.push_back({file.string(), recordings::refusal_reason(file.string(), refusal.error)});
         }
         adding.end();
         --arrivals.left;

@@ -81,6 +81,13 @@ bool has_recording_name(std::string_view name) {
     return has_sound_name(name) || ends_with_one_of(name, table_endings);
 }
 
+std::string refusal_reason(const std::string& file, const base::Error& error) {
+    const base::Problem& problem = error.problem();
+    const std::string place = error.place() ? base::describe(*error.place()) : file;
+    const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
+    return (problem.what.find(file) == std::string::npos ? place + ": " : "") + problem.what + why;
+}
+
 RecordingFiles recording_files(std::span<const std::string> named, const fs::path& left_out) {
     RecordingFiles found;
     for (const std::string& name : named) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -20,6 +22,9 @@ struct RefusedRecording {
     std::string file;
     std::string reason;  // a line
 };
+
+/// Returns the reason for which a file is refused, as a line that names the file: "run.csv:12: the file is empty".
+std::string refusal_reason(const std::string& file, const base::Error& error);
 
 /// The files that a user's names stand for.
 struct RecordingFiles {

@@ -190,6 +190,32 @@ std::string verdict_text(const io::SoundReport& report) {
     return text;
 }
 
+std::string classified_text(std::span<const io::ClassifiedRecording> rows) {
+    TextTable table{
+        {left("file"), left("category"), right("probability"), right("level"), right("duration"), left("reason")}};
+    std::array<std::size_t, classification::category_names.size()> counts{};
+    std::size_t refused = 0;
+    for (const io::ClassifiedRecording& row : rows) {
+        if (!row.refusal.empty()) {
+            ++refused;
+            add_row(table, row.file, "-", "-", "-", "-", "not heard: " + row.refusal);
+            continue;
+        }
+        ++counts[static_cast<std::size_t>(row.category)];
+        const bool is_noisy = row.category != classification::Category::none;
+        add_row(table, row.file,
+                styled(classification::name(row.category), is_noisy ? Style::bold : Style::plain, STDOUT_FILENO),
+                row.probability > 0.0 ? fmt::format("{:.2f}", row.probability) : "-",
+                fmt::format("{:.1f} {}", row.level, row.level_unit), fmt::format("{:.3g} s", row.duration),
+                fmt::format("{}", fmt::join(row.reasons, "; ")));
+    }
+    std::string text = text_of(table) + "\n" + counted(rows.size(), "recording", "recordings") + ":";
+    for (std::size_t k = 0; k < counts.size(); ++k)
+        if (counts[k] > 0) text += fmt::format(" {} {}", classification::category_names[k], counts[k]);
+    if (refused > 0) text += fmt::format(" not heard {}", refused);
+    return text + "\n";
+}
+
 std::string analysis_text(const io::SoundReport& report, Weighting weighting) {
     std::string text;
     for (std::size_t k = 0; k < report.channels.size(); ++k) {

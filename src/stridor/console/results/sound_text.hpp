@@ -1,10 +1,12 @@
 #pragma once
 
+#include "stridor/io/sound/classified_recordings.hpp"
 #include "stridor/io/sound/json_sound.hpp"
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/io/sound/signal_report.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace stridor::console {
@@ -17,6 +19,9 @@ std::string segment_table(const sound::SoundAnalysis& analysis, const classifica
 
 /// The verdict by ear on each channel, its segments, and why each category was heard.
 std::string verdict_text(const io::SoundReport& report);
+
+/// "door.wav  creak  0.87  ...": many recordings by ear, a line each, and how many there are of each category.
+std::string classified_text(std::span<const io::ClassifiedRecording> rows);
 
 /// Are A-weighted levels told of sound pressures alone, or of any unit?
 enum class Weighting { of_pressures, of_all };

@@ -1,0 +1,116 @@
+#include "stridor/io/sound/classified_recordings.hpp"
+
+#include "stridor/base/csv_text.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/json_parts.hpp"
+#include "stridor/signal/level.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using base::Json;
+
+constexpr const char* classified_schema = "classified";
+
+Json row_object(const ClassifiedRecording& row) {
+    if (!row.refusal.empty()) return {{"file", row.file}, {"error", row.refusal}};
+    Json object{{"file", row.file}, {"category", classification::name(row.category)}};
+    if (row.probability > 0.0) object["probability"] = row.probability;
+    object["shares"] = json_parts::named(classification::category_names, row.shares);
+    object["channel"] = row.channel;
+    object["channels"] = row.channels;
+    object["duration"] = row.duration;
+    object["rate"] = row.rate;
+    object["level"] = row.level;
+    object["level_unit"] = row.level_unit;
+    object["dominant_frequency"] = row.frequency;
+    object["reasons"] = row.reasons;
+    return object;
+}
+
+std::vector<base::csv_text::TableColumn> classified_columns() {
+    std::vector<base::csv_text::TableColumn> columns{{"file"}, {"category"}, {"probability"}};
+    for (const std::string_view category : classification::category_names)
+        columns.push_back({fmt::format("share_{}", category)});
+    for (const auto& [name, unit] : {std::pair{"channel", ""},
+                                     {"channels", ""},
+                                     {"duration", "s"},
+                                     {"rate", "Hz"},
+                                     {"level", "dB"},
+                                     {"level_unit", ""},
+                                     {"dominant_frequency", "Hz"},
+                                     {"reason", ""},
+                                     {"error", ""}})
+        columns.push_back({name, unit});
+    return columns;
+}
+
+}  // namespace
+
+ClassifiedRecording classified(const std::string& file, const SoundReport& report) {
+    const sound::SoundAnalysis& analysis = report.channels[report.loudest];
+    const classification::RecordingVerdict& verdict = report.verdicts[report.loudest];
+    const classification::SoundSegment* loudest = verdict.loudest();
+    ClassifiedRecording row;
+    row.file = file;
+    row.category = verdict.category;
+    row.probability = verdict.probability;
+    row.shares = verdict.shares;
+    row.channel = report.loudest + 1;
+    row.channels = report.channels.size();
+    row.duration = analysis.duration;
+    row.rate = analysis.rate;
+    row.level = signal::level_of(analysis.mean_square, signal::reference_of(analysis.unit));
+    row.level_unit = signal::level_unit(analysis.unit);
+    row.frequency = loudest == nullptr ? std::numeric_limits<double>::quiet_NaN() : loudest->verdict.features.frequency;
+    row.reasons = verdict.reasons;
+    return row;
+}
+
+std::string classified_json(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds) {
+    Json document = json_parts::opening(classified_schema);
+    document["recordings"] = json_parts::array_of(rows, row_object);
+    document["thresholds"] = json_parts::thresholds_object(thresholds);
+    document["units"] = {{"duration", "s"}, {"rate", "Hz"}, {"dominant_frequency", "Hz"}};
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        document["units"]["thresholds." + std::string(threshold.name)] = threshold.unit;
+    return base::text_of(document);
+}
+
+std::string classified_csv(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds) {
+    base::csv_text::Facts facts = base::csv_text::origin(classified_schema);
+    const parameters::SoundThresholds usual;
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        if (const double value = thresholds.*(threshold.member); value != usual.*(threshold.member))
+            facts.emplace_back(threshold.name, base::shortest(value));
+    base::csv_text::Table table(facts, classified_columns());
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const ClassifiedRecording& row : rows) {
+        const bool is_heard = row.refusal.empty();
+        const auto number = [&](double value) { table.number(is_heard ? value : unknown); };
+        table.word(row.file);
+        table.word(is_heard ? classification::name(row.category) : "");
+        number(row.probability > 0.0 ? row.probability : unknown);
+        for (const double share : row.shares)
+            number(share);
+        number(static_cast<double>(row.channel));
+        number(static_cast<double>(row.channels));
+        number(row.duration);
+        number(row.rate);
+        number(row.level);
+        table.word(row.level_unit);
+        number(row.frequency);
+        table.word(fmt::format("{}", fmt::join(row.reasons, "; ")));
+        table.word(row.refusal);
+        table.end_row();
+    }
+    return table.take();
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "stridor/classification/verdict.hpp"
+#include "stridor/io/sound/json_sound.hpp"
+#include "stridor/parameters/fields/sound_thresholds.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Many recordings by ear, a row each.
+namespace stridor::io {
+
+/// A recording in a row of many: the verdict on it, or why nothing could be heard.
+struct ClassifiedRecording {
+    std::string file;
+    std::string refusal{};  // why it could not be heard; empty: it was heard, and what follows holds
+    classification::Category category = classification::Category::undecided;
+    double probability = 0.0;                                            // [1] of the category, by the ear; 0: by rules
+    std::array<double, classification::category_names.size()> shares{};  // [1] of the energy, by category
+    std::size_t channel = 0;                                             // [1] that the verdict rests on, from 1
+    std::size_t channels = 0;                                            // [1] of the recording
+    double duration = 0.0;                                               // [s]
+    double rate = 0.0;                                                   // [Hz]
+    double level = 0.0;                                                  // [level_unit] of the channel, mean
+    std::string level_unit{};                                            // "dB re 20 uPa"
+    double frequency = 0.0;  // [Hz] dominant, of the category's loudest segment; NaN if there is none
+    std::vector<std::string> reasons{};
+};
+
+/// Returns the row of a recording that was heard; it is called `file`.
+ClassifiedRecording classified(const std::string& file, const SoundReport& report);
+
+/// "stridor.classified/1": a member of `recordings` per row, `error` in place of the verdict where nothing could be
+/// heard; thresholds and units.
+std::string classified_json(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds);
+
+/// "stridor.classified/1" as a table: a row per recording; where nothing could be heard all is empty but `file` and
+/// `error`. Thresholds other than the usual ones stand in its first line.
+std::string classified_csv(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds);
+
+}  // namespace stridor::io

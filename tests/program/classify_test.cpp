@@ -1,0 +1,139 @@
+// Many recordings by ear from outside: a row each, whatever becomes of the others.
+
+#include "support/json_of.hpp"
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using nlohmann::json;
+using stridor::support::Finished;
+using stridor::support::json_of;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::ScratchFolder;
+using stridor::support::write_text;
+
+namespace {
+
+// a second of a sound as a table with a rate of 16 kHz
+void write_sound(const std::filesystem::path& file, const std::function<double(double)>& at) {
+    std::ostringstream text;
+    text << "time [s],sound\n";
+    for (int n = 0; n < 16000; ++n)
+        text << n / 16000.0 << "," << at(n / 16000.0) << "\n";
+    write_text(file, text.str());
+}
+
+double tone(double time) {
+    return std::sin(6.283185307179586 * 1000.0 * time);
+}
+
+double silence(double) {
+    return 0.0;
+}
+
+// two sounds in three folders, two files that are no sounds, one that is not looked at
+void fill(const ScratchFolder& folder) {
+    std::filesystem::create_directories(folder / "takes/late");
+    write_sound(folder / "takes/tone.csv", tone);
+    write_sound(folder / "takes/late/silence.csv", silence);
+    write_text(folder / "takes/late/text.wav", "RIFF no sound");
+    write_text(folder / "takes/late/void.flac", "");
+    write_text(folder / "takes/notes.md", "loud");
+    write_sound(folder / "alone.csv", tone);
+}
+
+std::map<std::string, json> by_file(const json& document) {
+    std::map<std::string, json> rows;
+    for (const json& row : document["recordings"])
+        rows[row["file"]] = row;
+    return rows;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+}  // namespace
+
+TEST(ClassifyMany, HasARowForEachAndTellsWhatIsDamaged) {
+    const ScratchFolder folder;
+    fill(folder);
+    const Finished finished =
+        run({"classify", "takes", "alone.csv", "nowhere.wav", "--json", "--csv", "rows.csv"}, folder.path());
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_NE(finished.err.find("3 of 6 recordings could not be heard"), std::string::npos) << finished.err;
+    const json document = json_of(finished.out);
+    EXPECT_EQ(document["schema"], "stridor.classified/1");
+    std::map<std::string, json> rows = by_file(document);
+    ASSERT_EQ(rows.size(), 6u);
+    EXPECT_EQ(rows["takes/tone.csv"]["category"], "squeal");
+    EXPECT_NEAR(rows["takes/tone.csv"]["dominant_frequency"].get<double>(), 1000.0, 5.0);
+    EXPECT_EQ(rows["takes/late/silence.csv"]["category"], "none");
+    for (const char* damaged : {"takes/late/text.wav", "takes/late/void.flac", "nowhere.wav"}) {
+        EXPECT_FALSE(rows[damaged].contains("category")) << damaged;
+        EXPECT_NE(rows[damaged]["error"].get<std::string>().find(damaged), std::string::npos) << rows[damaged];
+    }
+    // the table says the same
+    const std::vector<std::string> table = lines_of(read_text(folder / "rows.csv"));
+    ASSERT_EQ(table.size(), 8u);
+    EXPECT_TRUE(table[1].starts_with("file,category,probability,share_none,")) << table[1];
+    for (std::size_t k = 2; k < table.size(); ++k) {
+        const std::string file = table[k].substr(0, table[k].find(','));
+        const std::string category = rows[file].value("category", "");
+        EXPECT_TRUE(table[k].starts_with(file + "," + category + ",")) << table[k];
+    }
+}
+
+TEST(ClassifyMany, SaysOfEachWhatItSaysOfOneAlone) {
+    const ScratchFolder folder;
+    fill(folder);
+    const json alone = json_of(run({"classify", "alone.csv", "--json"}, folder.path()).out);
+    const Finished finished = run({"classify", "alone.csv", "takes/tone.csv", "--json"}, folder.path());
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    std::map<std::string, json> rows = by_file(json_of(finished.out));
+    const json& verdict = alone["channels"][0]["verdict"];
+    for (const char* key : {"category", "probability", "shares", "reasons"})
+        EXPECT_EQ(rows["alone.csv"][key], verdict[key]) << key;
+}
+
+TEST(ClassifyMany, PrintsATable) {
+    const ScratchFolder folder;
+    fill(folder);
+    const Finished finished = run({"classify", "takes"}, folder.path());
+    EXPECT_EQ(finished.exit_code, 2);
+    const std::vector<std::string> lines = lines_of(finished.out);
+    ASSERT_EQ(lines.size(), 7u) << finished.out;
+    EXPECT_EQ(lines.back(), "4 recordings: none 1 squeal 1 not heard 2");
+    EXPECT_TRUE(lines[4].starts_with("takes/tone.csv ")) << lines[4];
+}
+
+TEST(ClassifyMany, RefusesSlipsOfThePenOnce) {
+    const ScratchFolder folder;
+    fill(folder);
+    const auto refused = [&](std::vector<std::string> words, const std::string& reason) {
+        words.insert(words.begin(), "classify");
+        const Finished finished = run(words, folder.path());
+        EXPECT_EQ(finished.exit_code, 2);
+        EXPECT_EQ(finished.out, "");
+        EXPECT_NE(finished.err.find(reason), std::string::npos) << finished.err;
+    };
+    refused({"takes", "--set", "squeal_regularty=0.7"}, "squeal_regularity");
+    refused({"takes", "--rate", "0 Hz"}, "no sampling rate");
+    std::filesystem::create_directories(folder / "bare");
+    write_text(folder / "bare/notes.md", "loud");
+    refused({"bare"}, "there is no recording in bare");
+}
