@@ -2,7 +2,7 @@
 
     python3 bench/ear/synthesise.py 150 FOLDER                 # 600 synthetic sounds with table.csv
     python3 bench/ear/train.py --clips FOLDER=TABLE.csv ... --synthetic FOLDER \
-        [--degraded FOLDER] [--out src/stridor/classification/ear_weights.hpp]
+        [--degraded FOLDER] [--aside FOLDER=TABLE.csv ...] [--out src/stridor/classification/ear_weights.hpp]
 
 TABLE.csv has the columns file, repository, label, expected ("squeak|creak") and confidence (high, low); files lie in
 FOLDER by their last name, or as the table says. The figures come from `stridor classify --json`; the model is the
@@ -20,10 +20,13 @@ import json
 import os
 import re
 import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from scipy.optimize import minimize
+
+import copies as same_sounds
 
 HEARD = ["rubbing", "other", "squeal", "squeak", "creak"]
 CATEGORIES = ["none", "squeal", "squeak", "creak"]
@@ -213,6 +216,17 @@ inline constexpr std::array<std::array<double, {count}>, {len(HEARD)}> ear_weigh
 """
 
 
+def refuse_what_is_aside(learnt, aside):
+    """Ends the program if a clip to learn from is one to check with: what was learnt is no test."""
+    ones = [clip for pair in learnt for clip in same_sounds.clips_of(*pair.split("=", 1))] if aside else []
+    others = [clip for pair in aside for clip in same_sounds.clips_of(*pair.split("=", 1))]
+    found = list(same_sounds.copies(ones, others))
+    for path, other, how in found:
+        print(f"{path} is kept aside as {other} ({how})", file=sys.stderr)
+    if found:
+        sys.exit(f"{len(found)} clips are kept aside (what was learnt is no test). Take them out of the table?")
+
+
 def main():
     parser = argparse.ArgumentParser(description="Fits the ear and cross-validates it.")
     parser.add_argument("--program", default="build/stridor")
@@ -220,8 +234,11 @@ def main():
     parser.add_argument("--synthetic", required=True, metavar="FOLDER")
     parser.add_argument("--degraded", metavar="FOLDER",
                         help="copies by degrade.py, heard by the same models; those in rooms are learnt from")
+    parser.add_argument("--aside", action="append", default=[], metavar="FOLDER=TABLE.csv",
+                        help="clips kept aside to check with: a clip that is one of them, or a near copy, is refused")
     parser.add_argument("--out", metavar="FILE.hpp")
     options = parser.parse_args()
+    refuse_what_is_aside(options.clips, options.aside)
     sets = [read_clips(options.program, *pair.split("=", 1)) for pair in options.clips]
     made = read_clips(options.program, options.synthetic, os.path.join(options.synthetic, "table.csv"), True)
     names = list(made[0][1][0]["figures"])
