@@ -6,9 +6,9 @@ prints the pairs of a clip of the first table and one of the second, and returns
 learn from a clip that stands in a table it is told to keep aside.
 
 A sketch of a clip is its level in third octaves from 200 Hz to 6.3 kHz every 50 ms, as far as the rate holds them, in
-dB, at most 50 below the greatest. Two clips are near copies if the sketches correlate by more than 0.97 where the one is
-laid over the other for 0.5 s or more, wherever that is: codecs, gains, cuts and other rates leave such copies. Shorter
-clips are compared by their bytes alone, for a few frames are alike by chance. Needs NumPy and soundfile.
+dB, at most 50 below the greatest. Two clips are near copies if the sketches correlate by more than 0.97 where the one
+is laid over the other for 0.5 s or more, wherever that is: codecs, gains, cuts and other rates leave such copies.
+Shorter clips are compared by their bytes alone, for a few frames are alike by chance. Needs NumPy and soundfile.
 """
 
 import csv

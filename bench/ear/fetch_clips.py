@@ -3,10 +3,10 @@
     python3 fetch_clips.py FOLDER
 
 The clips are sounds out of Debian packages. They are not copied into the project: debian_clips.csv says where each one
-lies, and this program gets it from there. It writes FOLDER/develop and FOLDER/unseen, each with the clips of that half
-and a table of them, develop.csv and unseen.csv. It downloads one package at a time and deletes it after use. A clip
-that is there already is kept, so that a broken run may be started again. At the end it says which clips it could not
-get; then it returns 1.
+lies, and this program gets it from there. It writes FOLDER/develop, FOLDER/unseen and FOLDER/other, each with the clips
+of that set and a table of them, develop.csv, unseen.csv and other.csv. It downloads one package at a time and deletes
+it after use. A clip that is there already is kept, so that a broken run may be started again. At the end it says which
+clips it could not get; then it returns 1.
 
 A clip is the first 12 seconds of its sound. A short WAV, Ogg Vorbis, FLAC or MP3 file stays as it is. Anything else
 becomes a 16-bit WAV file. Two clips are speech, which espeak-ng speaks here.
@@ -34,7 +34,7 @@ import soundfile
 LONGEST = 12.0  # [s] what is cut off later is not heard
 LOUDEST = 0.999  # [1] a converted sound beyond this is scaled down to it, for 16 bits end there
 KEPT = {"WAV", "WAVEX", "OGG", "FLAC", "MP3"}  # formats of files that may stay as they are
-HALVES = ["develop", "unseen"]
+HALVES = ["develop", "unseen", "other"]
 ARCHIVE = "(archive) "  # stands before a path inside an archive of the package
 SPEECH = "(speech) "  # stands before a voice and its speed, in words a minute, in place of a path
 SENTENCE = "The old wooden door in the hall has been painted, and the train leaves at seven in the morning."
@@ -207,7 +207,7 @@ def fetch(package, version, rows, folder):
 
 
 def write_tables(folder, rows):
-    """Writes a table of the clips that are there, for each half. `half` is left out, for it names the table."""
+    """Writes a table of the clips that are there, for each set. `half` is left out, for it names the table."""
     for half in HALVES:
         text = io.StringIO()
         columns = [name for name in rows[0] if name != "half"]
