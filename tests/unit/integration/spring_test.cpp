@@ -2,6 +2,7 @@
 
 #include "stridor/model/spring.hpp"
 
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/equilibrium.hpp"
