@@ -9,9 +9,11 @@
 #include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/friction/friction.hpp"
+#include "stridor/model/spring.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_spring.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
@@ -115,6 +117,21 @@ std::string contacts_text(const parameters::Case& c, const model::Structure& str
     return fmt::format("\n{}: {} rows\n", base::visible(own.origin), own.row.size()) + text_of(table) + "\n";
 }
 
+// springs that are not linear, as they are at rest
+std::string springs_text(const parameters::Case& c, const model::Structure& structure) {
+    if (structure.springs.empty()) return "";
+    TextTable table{{left("spring", 16), right("deflection", 12), right("force", 12), right("slope", 14)}};
+    std::size_t number = 0;
+    for (const parameters::OwnSpring& own : c.own_structure->springs) {
+        if (kind_of(own) == parameters::SpringKind::linear) continue;
+        const model::Spring& spring = structure.springs[number++];
+        add_row(table, base::visible(own.name), fmt::format("{:.4g} m", spring.rest),
+                fmt::format("{:.4g} N", force_of(spring.law, spring.rest)),
+                fmt::format("{:.4g} N/m", stiffness_of(spring.law, spring.rest)));
+    }
+    return text_of(table) + "\n";
+}
+
 // [1] below it is rounding
 constexpr double least_shared = 1e-12;
 
@@ -160,7 +177,7 @@ double exact_seconds_per_step(const parameters::Case& c, const model::Structure&
     const bool changes =
         std::any_of(structure.contacts.begin(), structure.contacts.end(),
                     [](const model::ContactPoint& contact) { return !is_state_wise(contact.friction); });
-    return (changes ? taylor_steps_of_changing_friction : 1.0) *
+    return (changes || !structure.springs.empty() ? taylor_steps_of_changing_friction : 1.0) *
            (seconds_per_taylor_step +
             contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact));
 }
@@ -216,9 +233,9 @@ double shown_error(double error) {
 std::string case_text(const parameters::Case& c, const integration::Cost& cost) {
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
-           (c.own_structure ? contacts_text(c, structure) : "\n") + "undamped natural frequencies\n" +
-           frequencies_text(c, structure) + belief_text(c, structure) + friction_doubts(structure) +
-           cost_text(c, structure, cost);
+           (c.own_structure ? contacts_text(c, structure) + springs_text(c, structure) : "\n") +
+           "undamped natural frequencies\n" + frequencies_text(c, structure) + belief_text(c, structure) +
+           friction_doubts(structure) + cost_text(c, structure, cost);
 }
 
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size) {
