@@ -2,6 +2,7 @@
 
 #include "stridor/model/spring.hpp"
 
+#include "stridor/integration/proofs/sliding_growth.hpp"
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
@@ -169,8 +170,8 @@ TEST(Spring, OfTheMirroredRunMovesAsTheMirrorDoes) {
     }
 }
 
-// A stick ends where spring and K hold mu_s N; the slip from there, by Fehlberg's method of order 8 in long double, with
-// the force of each side of a corner taken as its own: a step that passes one is halved down to rounding.
+// A stick ends where spring and K hold mu_s N; the slip from there, by Fehlberg's method of order 8 in long double. A
+// step that passes a corner of the force is halved down to rounding.
 struct OdeSlip {
     long double duration = 0.0L;  // [s]
     long double from = 0.0L;      // [m]
@@ -235,6 +236,18 @@ TEST(Spring, HasTheStickAndSlipOfAnIndependentMethod) {
         EXPECT_EQ(motion.outcome.reason, Reason::completed);
         EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-12);
     }
+}
+
+// Friction that falls by s feeds a disturbance of sliding: it grows with s N/(2 m), whatever the spring
+TEST(Spring, LetsNoGrowingSlidingBeCalledQuiet) {
+    model::Structure structure = belt_with(model::CubicSpring{3.0});
+    structure.contacts.front().friction = model::Linear{0.8, 0.8, 0.5};
+    const support::Watched watched{3.0, 3.0};
+    Motion motion = support::run_taylor(structure, power_belt_velocity, Initial::sliding, watched);
+    ASSERT_EQ(states_of(motion).size(), 1U);
+    tell_growth(structure, {.surface_velocity = power_belt_velocity, .end = 3.0, .least_slip = 0.98},
+                motion.record.phases);
+    EXPECT_NEAR(motion.record.phases.front().contacts.front().ending.outlook.growth, 0.25, 1e-9);
 }
 
 }  // namespace
