@@ -137,3 +137,25 @@ TEST(ClassifyMany, RefusesSlipsOfThePenOnce) {
     write_text(folder / "bare/notes.md", "loud");
     refused({"bare"}, "there is no recording in bare");
 }
+
+// a tone beside a softer channel in which it is not, as a microphone on the other side of a door
+TEST(ClassifyMany, NamesTheChannelThatDecidesAndWhatTheOtherIs) {
+    const ScratchFolder folder;
+    std::ostringstream text;
+    text << "time [s],near,far\n";
+    for (int n = 0; n < 16000; ++n)
+        text << n / 16000.0 << "," << tone(n / 16000.0) << "," << (n % 4000 < 40 ? 0.1 : 0.001 * (n % 7)) << "\n";
+    write_text(folder / "pair.csv", text.str());
+    const Finished alone = run({"classify", "pair.csv"}, folder.path());
+    EXPECT_NE(alone.out.find("the verdict rests on channel 1, the loudest: squeal\nchannel 2 is none"),
+              std::string::npos)
+        << alone.out;
+    const json rows = json_of(run({"classify", "pair.csv", "pair.csv", "--json"}, folder.path()).out)["recordings"];
+    EXPECT_EQ(rows[0]["channel"], 1);
+    EXPECT_EQ(rows[0]["channels"], 2);
+    EXPECT_TRUE(rows[0]["reasons"].back().get<std::string>().starts_with("channel 2 is none")) << rows[0];
+    // of two that are heard alike there is nothing to say
+    const json same =
+        json_of(run({"classify", "pair.csv", "pair.csv", "--channel", "near", "--json"}, folder.path()).out);
+    EXPECT_EQ(same["recordings"][0]["reasons"].dump().find("channel"), std::string::npos);
+}

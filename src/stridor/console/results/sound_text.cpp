@@ -184,9 +184,11 @@ std::string verdict_text(const io::SoundReport& report) {
                             fmt::join(verdict.reasons, "; "));
         text += segment_table(report.channels[k], verdict) + explanations(verdict);
     }
-    if (report.channels.size() > 1)
-        text += fmt::format("\nthe loudest channel is {}: {}\n", report.loudest + 1,
-                            classification::name(report.verdicts[report.loudest].category));
+    if (report.channels.size() == 1) return text;
+    text += fmt::format("\nthe verdict rests on channel {}, the loudest: {}\n", report.loudest + 1,
+                        classification::name(report.verdicts[report.loudest].category));
+    for (const std::string& sentence : io::differing_channels(report))
+        text += sentence + "\n";
     return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -53,6 +54,25 @@ std::vector<base::csv_text::TableColumn> classified_columns() {
 
 }  // namespace
 
+std::vector<std::string> differing_channels(const SoundReport& report) {
+    const auto level = [&](std::size_t channel) {
+        const sound::SoundAnalysis& analysis = report.channels[channel];
+        return signal::level_of(analysis.mean_square, signal::reference_of(analysis.unit));
+    };
+    std::vector<std::string> sentences;
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const classification::RecordingVerdict& verdict = report.verdicts[k];
+        if (verdict.category == report.verdicts[report.loudest].category) continue;
+        std::string sentence = fmt::format("channel {} is {}", k + 1, classification::name(verdict.category));
+        if (verdict.probability > 0.0) sentence += fmt::format(", probability {:.2f}", verdict.probability);
+        const double softer = level(report.loudest) - level(k);
+        if (report.channels[k].unit == report.channels[report.loudest].unit && std::isfinite(softer))
+            sentence += fmt::format(", {:.1f} dB {}", std::abs(softer), softer < 0.0 ? "louder" : "softer");
+        sentences.push_back(std::move(sentence));
+    }
+    return sentences;
+}
+
 ClassifiedRecording classified(const std::string& file, const SoundReport& report) {
     const sound::SoundAnalysis& analysis = report.channels[report.loudest];
     const classification::RecordingVerdict& verdict = report.verdicts[report.loudest];
@@ -70,6 +90,8 @@ ClassifiedRecording classified(const std::string& file, const SoundReport& repor
     row.level_unit = signal::level_unit(analysis.unit);
     row.frequency = loudest == nullptr ? std::numeric_limits<double>::quiet_NaN() : loudest->verdict.features.frequency;
     row.reasons = verdict.reasons;
+    for (std::string& sentence : differing_channels(report))
+        row.reasons.push_back(std::move(sentence));
     return row;
 }
 

@@ -30,7 +30,12 @@ struct ClassifiedRecording {
     std::vector<std::string> reasons{};
 };
 
-/// Returns the row of a recording that was heard; it is called `file`.
+/// Returns a sentence for each channel that is heard as another category than the one the verdict rests on: "channel 2
+/// is creak, probability 0.74, 1.4 dB softer". The level is left out where the units differ.
+std::vector<std::string> differing_channels(const SoundReport& report);
+
+/// Returns the row of a recording that was heard; it is called `file`. What the other channels are stands behind the
+/// reasons where they differ.
 ClassifiedRecording classified(const std::string& file, const SoundReport& report);
 
 /// "stridor.classified/1": a member of `recordings` per row, `error` in place of the verdict where nothing could be
