@@ -139,6 +139,12 @@ std::vector<std::size_t> drawn_laws(const analysis::FrictionFit& fit, std::size_
     return drawn;
 }
 
+// of one of the drawn laws: the law itself stands out
+drawing::Stroke stroke_of(std::size_t drawn, std::size_t law) {
+    return drawn == law ? drawing::Stroke{drawing::accent, 1.6, drawing::Dash::solid}
+                        : drawing::Stroke{drawing::ink, 0.9, drawing::Dash::dashed};
+}
+
 drawing::Scene slip_scene(const analysis::FrictionFit& fit, std::size_t law) {
     drawing::Panel above, below;
     drawing::Points samples = fit_points(), left = fit_points();
@@ -167,8 +173,7 @@ drawing::Scene slip_scene(const analysis::FrictionFit& fit, std::size_t law) {
     above.layers.emplace_back(std::move(samples));
     below.layers.emplace_back(std::move(left));
     for (const std::size_t drawn : drawn_laws(fit, law)) {
-        const drawing::Stroke stroke = drawn == law ? drawing::Stroke{drawing::accent, 1.6, drawing::Dash::solid}
-                                                    : drawing::Stroke{drawing::ink, 0.9, drawing::Dash::dashed};
+        const drawing::Stroke stroke = stroke_of(drawn, law);
         for (const std::size_t slip : typical_slips(fit, drawn)) {
             drawing::Line line = slip_line(fit, drawn, slip, above.x.range, stroke);
             shown.insert(shown.end(), line.y.begin(), line.y.end());
@@ -220,8 +225,7 @@ drawing::Scene friction_fit(const analysis::FrictionFit& fit, std::size_t law) {
         scene.legend.push_back({std::string(analysis::fitted_names[fit.laws[which].kind]), stroke});
     };
     for (const std::size_t drawn : drawn_laws(fit, law))
-        add_curve(drawn, drawn == law ? drawing::Stroke{drawing::accent, 1.6, drawing::Dash::solid}
-                                      : drawing::Stroke{drawing::ink, 0.9, drawing::Dash::dashed});
+        add_curve(drawn, stroke_of(drawn, law));
     above.y.range = with_air(shown);
     below.layers.emplace_back(
         drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::accent, 0.8, drawing::Dash::solid}});
