@@ -1,8 +1,8 @@
 // Every command that writes, on a disk that fails at the n-th call, for all n: the error is said, no file is half
 // there, what was there before is whole, and the same command again succeeds.
 //
-// STRIDOR_FAILING_STEP=k takes every k-th n only, from another beginning for each fault: usual 3 (checked builds: 11).
-// 1 takes all.
+// STRIDOR_FAILING_STEP=k takes every k-th n only, from another beginning for each fault: usually as many as there are
+// faults, so that each call fails once, by one of them (checked builds: every 23rd). 1 takes all.
 
 #include "support/effort.hpp"
 #include "support/process.hpp"
@@ -235,10 +235,11 @@ bool has(const Files& files, const std::string& name, const std::string& bytes) 
 }
 
 constexpr long closest = 3;  // steps that leave out no kind of call
+constexpr long usual = std::size(faults);
 
 long step() {
     const char* given = std::getenv("STRIDOR_FAILING_STEP");
-    return given != nullptr ? std::atol(given) : support::effort(closest, 23L);
+    return given != nullptr ? std::atol(given) : support::effort(usual, 23L);
 }
 
 // another beginning for each fault
@@ -283,9 +284,9 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
         ASSERT_EQ(leftovers(), "") << what;
     }
     RecordProperty("calls", std::to_string(tried));
-    // the disk was in the way at all
-    if (step() > closest) return;
-    if (fault().error == EIO || fault().error == ENOSPC) {
+    // the disk was in the way at all; one call alone may be one that is tried again, or whose failure harms nothing
+    const bool must_fail = step() <= closest || (step() <= usual && fault().times == for_ever);
+    if (must_fail && (fault().error == EIO || fault().error == ENOSPC)) {
         EXPECT_GT(failed, 0);
     }
 }
