@@ -112,7 +112,8 @@ struct FrictionTable {
     std::vector<double> coefficients;  // [1] there, shape [row]
 };
 
-/// Friction coefficients of a pair of materials at the points of a grid over what they depend on.
+/// Friction coefficients of a pair of materials, and other numbers of its law, at the points of a grid over what they
+/// depend on.
 struct MaterialPair {
     std::string source;                      // "pairs.toml: EPDM on glass", or the table as text; empty: there is none
     std::vector<double> temperature{};       // [degC] nodes, rising; none: it does not depend on it
@@ -120,6 +121,12 @@ struct MaterialPair {
     std::vector<double> load{};              // [N] preload of the contact, the same
     std::vector<double> static_friction{};   // [1] mu_s, shape [temperature, humidity, load]; none: file not read
     std::vector<double> kinetic_friction{};  // [1] mu_d <= mu_s, the same shape
+    // numbers of the case's law at the same points, as those of Contact; none: the case says them
+    std::vector<double> friction_slope{};     // [s/m]
+    std::vector<double> stribeck_velocity{};  // [m/s]
+    std::vector<double> stribeck_exponent{};  // [1]
+    std::vector<double> viscous_friction{};   // [s/m]
+    std::vector<double> rest_growth{};        // [1]
 };
 
 /// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or another law.
@@ -150,7 +157,7 @@ struct Contact {
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
-    MaterialPair pair{};       // whose coefficients mu_s and mu_d are, if there is one
+    MaterialPair pair{};       // whose coefficients and numbers of the law are, if there is one
     double humidity = 0.5;     // [1] pair: relative, of the air
 };
 

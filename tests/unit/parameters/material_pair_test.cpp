@@ -111,5 +111,63 @@ TEST(MaterialPair, OfRowsIsAFullPlan) {
     EXPECT_TRUE(refused().says("some rows of the pair have no load"));
 }
 
+constexpr const char* seal =
+    "temperature: 20, 60; static_friction: 1, 0.8; kinetic_friction: 0.6, 0.5; stribeck_velocity: 0.02, 0.01; "
+    "stribeck_exponent: 2, 2; viscous_friction: 0, 0.1";
+
+TEST(MaterialPair, HasNumbersOfTheLaw) {
+    Case c;
+    set(c, "contact.friction", "stribeck");
+    set(c, "contact.pair", seal);
+    set(c, "temperature.value", "50");
+    EXPECT_NEAR(c.contact().stribeck_velocity, 0.0125, 1e-16);
+    EXPECT_NEAR(c.contact().viscous_friction, 0.075, 1e-16);
+    EXPECT_EQ(c.contact().stribeck_exponent, 2.0);
+    EXPECT_TRUE(findings(c).empty());
+    EXPECT_TRUE(
+        support::thrown_by([&] { set(c, "contact.stribeck_velocity", "0.05"); }).says("it follows from contact.pair"));
+    EXPECT_EQ(usual_range(c, "contact.viscous_friction"), std::nullopt);
+    EXPECT_EQ(material_pair_text(parse_material_pair(seal)), seal);
+}
+
+TEST(MaterialPair, LeavesToTheCaseWhatItDoesNotHave) {
+    Case c;
+    set(c, "contact.friction", "stribeck");
+    set(c, "contact.pair", "static_friction: 1; kinetic_friction: 0.6; stribeck_velocity: 0.02");
+    set(c, "contact.viscous_friction", "0.3");
+    EXPECT_EQ(c.contact().viscous_friction, 0.3);
+    EXPECT_EQ(c.contact().stribeck_velocity, 0.02);
+}
+
+// nobody may believe that a number counts which the law does not have
+TEST(MaterialPair, HasNoNumberThatTheLawLacks) {
+    const Case c = of_pair("static_friction: 1; kinetic_friction: 0.6; stribeck_velocity: 0.02");
+    const std::vector<Finding> found = findings(c);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].problem.what, "contact.pair has stribeck_velocity, which means nothing for this case");
+    EXPECT_NE(found[0].problem.why.find("\"stribeck\""), std::string::npos);
+}
+
+TEST(MaterialPair, HasNumbersAtEveryPointThatALawMayHave) {
+    const auto refused = [](const char* text) { return support::thrown_by([&] { parse_material_pair(text); }); };
+    EXPECT_TRUE(refused("static_friction: 1; kinetic_friction: 0.6; stribeck_velocity: 0")
+                    .says("contact.stribeck_velocity = 0 is out of range"));
+    EXPECT_TRUE(refused("load: 1, 2; static_friction: 1, 1; kinetic_friction: 1, 1; rest_growth: 0.1")
+                    .says("1 values of rest_growth at 2 points"));
+    std::vector<PairRow> rows(2);
+    for (PairRow& row : rows)
+        row.static_friction = row.kinetic_friction = 0.5;
+    rows[0].load = 10.0;
+    rows[1].load = 20.0;
+    rows[1].friction_slope = 0.1;
+    EXPECT_TRUE(support::thrown_by([&] { pair_of_rows(rows); }).says("some rows of the pair have no friction_slope"));
+    rows[0].friction_slope = -0.1;
+    EXPECT_TRUE(support::thrown_by([&] {
+                    pair_of_rows(rows);
+                }).says("contact.friction_slope = -0.1 is out of range at load 10 N"));
+    rows[0].friction_slope = 0.3;
+    EXPECT_EQ(pair_of_rows(rows).friction_slope, (std::vector<double>{0.3, 0.1}));
+}
+
 }  // namespace
 }  // namespace stridor::parameters

@@ -8,11 +8,11 @@
 #include "stridor/parameters/tables/material_pair.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stridor::io {
@@ -21,8 +21,13 @@ namespace {
 
 using parameters::PairRow;
 
-constexpr std::array<std::string_view, 7> row_keys{"name", "source",          "temperature",     "humidity",
-                                                   "load", "static_friction", "kinetic_friction"};
+std::vector<std::string_view> row_keys() {
+    std::vector<std::string_view> keys{"name", "source"};
+    for (const auto& columns : {parameters::pair_conditions(), parameters::pair_coefficients()})
+        for (const parameters::PairColumn& column : columns)
+            keys.push_back(column.name);
+    return keys;
+}
 
 double number_of_row(const TomlEntry& entry, std::string_view unit) {
     try {
@@ -36,11 +41,12 @@ double number_of_row(const TomlEntry& entry, std::string_view unit) {
 }
 
 void expect_row_keys(const TomlDocument& document, const std::string& table) {
+    const std::vector<std::string_view> known = row_keys();
     for (const TomlEntry& entry : document.entries) {
         if (!entry.key.starts_with(table + ".")) continue;
         const std::string key = entry.key.substr(table.size() + 1);
-        if (std::find(row_keys.begin(), row_keys.end(), key) != row_keys.end()) continue;
-        const std::string_view near = base::nearest_name(key, row_keys);
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+        const std::string_view near = base::nearest_name(key, known);
         throw Error(ErrorKind::input,
                     {"unknown key " + base::visible(key) + " of a pair", "",
                      near.empty() ? "" : "Did you mean " + std::string(near) + "?"},
@@ -48,22 +54,19 @@ void expect_row_keys(const TomlDocument& document, const std::string& table) {
     }
 }
 
-double coefficient(const TomlDocument& document, const TomlEntry& table, std::string_view key) {
-    const TomlEntry* entry = document.find(table.key + "." + std::string(key));
-    if (entry == nullptr)
-        throw Error(ErrorKind::input, {"this row has no " + std::string(key), "a pair has both coefficients", ""},
-                    table.key_place);
-    return number_of_row(*entry, "1");
-}
-
 PairRow row_in(const TomlDocument& document, const TomlEntry& table) {
     expect_row_keys(document, table.key);
-    const auto condition = [&](std::string_view key, std::string_view unit) {
-        const TomlEntry* entry = document.find(table.key + "." + std::string(key));
-        return entry == nullptr ? std::nullopt : std::optional(number_of_row(*entry, unit));
-    };
-    return {condition("temperature", "degC"), condition("humidity", "1"), condition("load", "N"),
-            coefficient(document, table, "static_friction"), coefficient(document, table, "kinetic_friction")};
+    PairRow row;
+    for (const auto& columns : {parameters::pair_conditions(), parameters::pair_coefficients()})
+        for (const parameters::PairColumn& column : columns)
+            if (const TomlEntry* entry = document.find(table.key + "." + std::string(column.name)))
+                row.*column.in_row = number_of_row(*entry, column.unit);
+    for (const auto& [number, key] :
+         {std::pair(row.static_friction, "static_friction"), std::pair(row.kinetic_friction, "kinetic_friction")})
+        if (!number)
+            throw Error(ErrorKind::input, {"this row has no " + std::string(key), "a pair has both coefficients", ""},
+                        table.key_place);
+    return row;
 }
 
 }  // namespace

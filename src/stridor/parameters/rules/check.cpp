@@ -98,12 +98,22 @@ void check_pair(CaseView at, std::vector<Finding>& found) {
                          {"contact.pair"}});
         return;
     }
-    for (const std::string_view key : {"contact.static_friction", "contact.kinetic_friction"})
-        if (temperature_column(at, *find_field(key)) != nullptr)
+    for (const PairColumn& column : pair_coefficients()) {
+        const Field& field = *find_field(column.field);
+        const std::string key(column.field);
+        const bool is_of_law = column.field != "contact.static_friction" && column.field != "contact.kinetic_friction";
+        if ((pair.*column.values).empty()) continue;
+        if (temperature_column(at, field) != nullptr)
             found.push_back({"contact.pair",
-                             {std::string(key) + " follows both contact.pair and [temperature]", "it has one value",
+                             {key + " follows both contact.pair and [temperature]", "it has one value",
                               "Take it out of one of the two."},
                              {"temperature.value"}});
+        if (is_of_law && !field.belongs(at))
+            found.push_back({"contact.pair",
+                             {"contact.pair has " + std::string(column.name) + ", which means nothing for this case",
+                              "it belongs to " + home_of(at, field), "Change the law, or take it out of the rows."},
+                             {"contact.friction", "contact.rest"}});
+    }
     if (!pair.load.empty() && !is_preloaded(at.c))
         found.push_back(
             {"contact.pair",

@@ -16,24 +16,28 @@ namespace stridor::parameters {
 
 namespace {
 
-// a list of numbers of a pair, as its text and its rows call it
-struct PairList {
-    std::string_view name;
-    std::string_view unit;
-    std::vector<double> MaterialPair::*values;
-    std::optional<double> PairRow::*condition;  // of the lists of coefficients none
-    std::string_view field;
-};
-
-constexpr std::array<PairList, 3> pair_conditions{{
-    {"temperature", "degC", &MaterialPair::temperature, &PairRow::temperature, "temperature.value"},
-    {"humidity", "1", &MaterialPair::humidity, &PairRow::humidity, "contact.humidity"},
-    {"load", "N", &MaterialPair::load, &PairRow::load, "contact.preload"},
+constexpr std::array<PairColumn, 3> conditions{{
+    {"temperature", "degC", "temperature.value", &MaterialPair::temperature, &PairRow::temperature},
+    {"humidity", "1", "contact.humidity", &MaterialPair::humidity, &PairRow::humidity},
+    {"load", "N", "contact.preload", &MaterialPair::load, &PairRow::load},
 }};
-constexpr std::array<PairList, 2> pair_coefficients{{
-    {"static_friction", "1", &MaterialPair::static_friction, nullptr, "contact.static_friction"},
-    {"kinetic_friction", "1", &MaterialPair::kinetic_friction, nullptr, "contact.kinetic_friction"},
+constexpr std::array<PairColumn, 7> coefficients{{
+    {"static_friction", "1", "contact.static_friction", &MaterialPair::static_friction, &PairRow::static_friction,
+     &Contact::static_friction},
+    {"kinetic_friction", "1", "contact.kinetic_friction", &MaterialPair::kinetic_friction, &PairRow::kinetic_friction,
+     &Contact::kinetic_friction},
+    {"friction_slope", "s/m", "contact.friction_slope", &MaterialPair::friction_slope, &PairRow::friction_slope,
+     &Contact::friction_slope},
+    {"stribeck_velocity", "m/s", "contact.stribeck_velocity", &MaterialPair::stribeck_velocity,
+     &PairRow::stribeck_velocity, &Contact::stribeck_velocity},
+    {"stribeck_exponent", "1", "contact.stribeck_exponent", &MaterialPair::stribeck_exponent,
+     &PairRow::stribeck_exponent, &Contact::stribeck_exponent},
+    {"viscous_friction", "s/m", "contact.viscous_friction", &MaterialPair::viscous_friction, &PairRow::viscous_friction,
+     &Contact::viscous_friction},
+    {"rest_growth", "1", "contact.rest_growth", &MaterialPair::rest_growth, &PairRow::rest_growth,
+     &Contact::rest_growth},
 }};
+constexpr std::size_t needed = 2;  // of the coefficients: each pair has these
 
 // a condition without nodes has one value
 std::size_t size_of(const std::vector<double>& nodes) {
@@ -96,10 +100,21 @@ void expect_coefficients(double static_friction, double kinetic_friction, const 
                      "kinetic friction may not be larger than static", "Swap them?");
 }
 
+// within what a case may say itself
+void expect_number(const PairColumn& column, double value, const std::string& where) {
+    try {
+        expect_in_range(Case(), *find_field(column.field), value);
+    } catch (const Error& error) {
+        base::Problem problem = error.problem();
+        problem.what += where;
+        throw Error(error.kind(), problem);
+    }
+}
+
 std::string conditions_text(const PairRow& row) {
     std::string text;
-    for (const PairList& condition : pair_conditions)
-        if (const std::optional<double>& value = row.*condition.condition)
+    for (const PairColumn& condition : conditions)
+        if (const std::optional<double>& value = row.*condition.in_row)
             text += (text.empty() ? " at " : ", ") + std::string(condition.name) + " " +
                     base::quantity_text(*value, condition.unit);
     return text;
@@ -111,7 +126,7 @@ std::size_t node_of(const std::vector<double>& nodes, const std::optional<double
     return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), *value) - nodes.begin());
 }
 
-std::vector<double> numbers_of(std::string_view list, const PairList& of) {
+std::vector<double> numbers_of(std::string_view list, const PairColumn& of) {
     std::vector<double> numbers;
     while (!list.empty()) {
         const std::size_t end = list.find(',');
@@ -121,8 +136,23 @@ std::vector<double> numbers_of(std::string_view list, const PairList& of) {
     return numbers;
 }
 
+void expect_in_all_or_none(std::span<const PairRow> rows, const PairColumn& column, const char* why) {
+    for (const PairRow& row : rows)
+        if ((row.*column.in_row).has_value() != (rows.front().*column.in_row).has_value())
+            base::refuse("some rows of the pair have no " + std::string(column.name), why,
+                         "Write it in all of them, or in none.");
+}
+
+std::string names_of_columns() {
+    std::string names;
+    for (const std::span<const PairColumn> columns : {pair_conditions(), pair_coefficients()})
+        for (const PairColumn& column : columns)
+            names += (names.empty() ? "" : ", ") + std::string(column.name);
+    return names;
+}
+
 void expect_grid(const MaterialPair& pair) {
-    for (const PairList& condition : pair_conditions) {
+    for (const PairColumn& condition : conditions) {
         const std::vector<double>& nodes = pair.*condition.values;
         for (std::size_t k = 1; k < nodes.size(); ++k)
             if (!(nodes[k] > nodes[k - 1]))
@@ -131,34 +161,53 @@ void expect_grid(const MaterialPair& pair) {
                              "a table is read from its lowest to its highest value", "Sort it.");
     }
     const std::size_t points = point_count(pair);
-    for (const PairList& list : pair_coefficients)
-        if ((pair.*list.values).size() != points)
-            base::refuse("the pair has " + std::to_string((pair.*list.values).size()) + " values of " +
-                             std::string(list.name) + " at " + std::to_string(points) + " points",
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        const PairColumn& column = coefficients[k];
+        const std::vector<double>& values = pair.*column.values;
+        if (values.empty() && k >= needed) continue;
+        if (values.size() != points)
+            base::refuse("the pair has " + std::to_string(values.size()) + " values of " + std::string(column.name) +
+                             " at " + std::to_string(points) + " points",
                          "it has one at each", "");
+        if (k >= needed)
+            for (const double value : values)
+                expect_number(column, value, "");
+    }
     for (std::size_t k = 0; k < points; ++k)
         expect_coefficients(pair.static_friction[k], pair.kinetic_friction[k], "");
 }
 
 }  // namespace
 
+std::span<const PairColumn> pair_conditions() {
+    return conditions;
+}
+
+std::span<const PairColumn> pair_coefficients() {
+    return coefficients;
+}
+
 MaterialPair pair_of_rows(std::span<const PairRow> rows) {
     MaterialPair pair;
-    for (const PairList& condition : pair_conditions) {
+    for (const PairColumn& condition : conditions) {
+        expect_in_all_or_none(rows, condition, "a pair depends on it or does not");
         std::vector<double>& nodes = pair.*condition.values;
-        for (const PairRow& row : rows) {
-            const std::optional<double>& value = row.*condition.condition;
-            if (value.has_value() != (rows.front().*condition.condition).has_value())
-                base::refuse("some rows of the pair have no " + std::string(condition.name),
-                             "a pair depends on it or does not", "Write it in all of them, or in none.");
-            if (value) nodes.push_back(*value);
-        }
+        for (const PairRow& row : rows)
+            if (const std::optional<double>& value = row.*condition.in_row) nodes.push_back(*value);
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     }
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        if (k < needed && !(rows.front().*coefficients[k].in_row))
+            base::refuse("the pair has no " + std::string(coefficients[k].name), "a pair has both coefficients", "");
+        expect_in_all_or_none(rows, coefficients[k], "it is known at every point or at none");
+    }
     std::vector<const PairRow*> points(point_count(pair));
     for (const PairRow& row : rows) {
-        expect_coefficients(row.static_friction, row.kinetic_friction, conditions_text(row));
+        expect_coefficients(*row.static_friction, *row.kinetic_friction, conditions_text(row));
+        for (const PairColumn& column : std::span(coefficients).subspan(needed))
+            if (const std::optional<double>& value = row.*column.in_row)
+                expect_number(column, *value, conditions_text(row));
         const PairRow*& point = points[place_of(pair, node_of(pair.temperature, row.temperature),
                                                 node_of(pair.humidity, row.humidity), node_of(pair.load, row.load))];
         if (point != nullptr)
@@ -179,26 +228,25 @@ MaterialPair pair_of_rows(std::span<const PairRow> rows) {
                      "its rows are a full plan: each temperature with each humidity and each load",
                      "Measure it, or leave out the others there.");
     }
-    for (const PairRow* point : points) {
-        pair.static_friction.push_back(point->static_friction);
-        pair.kinetic_friction.push_back(point->kinetic_friction);
-    }
+    for (const PairColumn& column : coefficients)
+        for (const PairRow* point : points)
+            if (const std::optional<double>& value = point->*column.in_row) (pair.*column.values).push_back(*value);
     return pair;
 }
 
 std::string material_pair_text(const MaterialPair& pair) {
     if (pair.static_friction.empty()) return pair.source;
     std::string text;
-    const auto add = [&](const PairList& list) {
+    const auto add = [&](const PairColumn& list) {
         if ((pair.*list.values).empty()) return;
         text += (text.empty() ? "" : "; ") + std::string(list.name) + ": ";
         for (std::size_t k = 0; k < (pair.*list.values).size(); ++k)
             text += (k == 0 ? "" : ", ") + base::shortest((pair.*list.values)[k]);
     };
-    for (const PairList& condition : pair_conditions)
+    for (const PairColumn& condition : conditions)
         add(condition);
-    for (const PairList& list : pair_coefficients)
-        add(list);
+    for (const PairColumn& column : coefficients)
+        add(column);
     return text;
 }
 
@@ -231,16 +279,16 @@ MaterialPair parse_material_pair(std::string_view text) {
         const std::size_t colon = one.find(':');
         const std::string_view name = base::trimmed(one.substr(0, colon));
         const auto read = [&](const auto& lists) {
-            for (const PairList& list : lists)
+            for (const PairColumn& list : lists)
                 if (list.name == name && colon != std::string_view::npos && (pair.*list.values).empty()) {
                     pair.*list.values = numbers_of(one.substr(colon + 1), list);
                     return true;
                 }
             return false;
         };
-        if (!read(pair_conditions) && !read(pair_coefficients))
+        if (!read(conditions) && !read(coefficients))
             base::refuse("\"" + std::string(one) + "\" is no part of a pair of materials",
-                         "these are temperature, humidity, load, static_friction and kinetic_friction, each once",
+                         "these are " + names_of_columns() + ", each once",
                          "Write \"load: 5, 10; static_friction: 0.8, 0.7; kinetic_friction: 0.6, 0.5\".");
     }
     expect_grid(pair);
@@ -249,10 +297,10 @@ MaterialPair parse_material_pair(std::string_view text) {
 }
 
 bool follows_pair(CaseView at, const Field& field) {
-    if (at.own().contact.pair.static_friction.empty()) return false;
     const std::string key = key_of(field);
-    return std::any_of(pair_coefficients.begin(), pair_coefficients.end(),
-                       [&](const PairList& list) { return list.field == key; });
+    return std::any_of(coefficients.begin(), coefficients.end(), [&](const PairColumn& column) {
+        return column.field == key && !(at.own().contact.pair.*column.values).empty();
+    });
 }
 
 bool follows_table(CaseView at, const Field& field) {
@@ -261,16 +309,16 @@ bool follows_table(CaseView at, const Field& field) {
 
 bool follows_table(const Case& c, std::string_view key) {
     if (temperature_column(c, key) != nullptr) return true;
-    return std::any_of(pair_coefficients.begin(), pair_coefficients.end(), [&](const PairList& list) {
-        if (!key.ends_with(list.field)) return false;
+    return std::any_of(coefficients.begin(), coefficients.end(), [&](const PairColumn& column) {
+        if (!key.ends_with(column.field)) return false;
         return std::any_of(c.joints.begin(), c.joints.end(),
-                           [](const PlateJoint& joint) { return !joint.contact.pair.static_friction.empty(); });
+                           [&](const PlateJoint& joint) { return !(joint.contact.pair.*column.values).empty(); });
     });
 }
 
 std::span<const double> pair_nodes(const MaterialPair& pair, const Field& field) {
     const std::string key = key_of(field);
-    for (const PairList& condition : pair_conditions)
+    for (const PairColumn& condition : conditions)
         if (condition.field == key) return pair.*condition.values;
     return {};
 }
@@ -282,8 +330,9 @@ void keep_pairs(Case& c) {
         if (pair.static_friction.empty()) continue;
         const PairPlace at{between_nodes(pair.temperature, c.temperature.value),
                            between_nodes(pair.humidity, contact.humidity), between_nodes(pair.load, contact.preload)};
-        contact.static_friction = coefficient_at(pair, pair.static_friction, at);
-        contact.kinetic_friction = coefficient_at(pair, pair.kinetic_friction, at);
+        for (const PairColumn& column : coefficients)
+            if (const std::vector<double>& values = pair.*column.values; !values.empty())
+                contact.*column.follows = coefficient_at(pair, values, at);
     }
 }
 
