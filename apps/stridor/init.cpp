@@ -32,8 +32,8 @@ void add_init(CLI::App& program) {
         ->add_option("kind", options->kind,
                      "squeal, squeak, creak, quiet: Table 1; noise-chart: Figure 8; rate-map: Figure 6; weatherstrip, "
                      "weatherstrip-shaken, glass-run, clip, wiper, brake-pad: soft parts of a car, each with its "
-                     "chart; wiper-wet, weatherstrip-falling: with friction over the slip velocity; two-lips: several "
-                     "joints; chain, string: structures of one's own; "
+                     "chart; wiper-wet, weatherstrip-falling: with friction over the slip velocity; seal-lip: with a "
+                     "lip that stiffens; two-lips: several joints; chain, string: structures of one's own; "
                      "schema: JSON Schema of case files")
         ->required()
         ->check(one_of(io::ready_file_names()));

@@ -124,7 +124,7 @@ TEST(Simulate, ChoosesAnEngineAndSaysWhich) {
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
     for (const std::string kind : {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip",
                                    "weatherstrip-shaken", "glass-run", "clip", "wiper", "brake-pad", "wiper-wet",
-                                   "weatherstrip-falling", "two-lips", "chain", "string"})
+                                   "weatherstrip-falling", "seal-lip", "two-lips", "chain", "string"})
         EXPECT_EQ(stridor::support::read_text(std::filesystem::path(STRIDOR_SOURCE_DIR) / "cases" / (kind + ".toml")),
                   run({"init", kind}).out)
             << kind;

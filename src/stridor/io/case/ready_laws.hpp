@@ -7,7 +7,7 @@
 
 namespace stridor::io {
 
-/// A soft part whose friction changes with the slip velocity, with its chart over velocity and preload.
+/// A soft part with a law of its own, of friction or of its stiffness, and its chart.
 struct ReadyLaw {
     std::string_view name;
     std::string_view source;  // where the law comes from, and which of its numbers are estimates: a file's heading
@@ -15,6 +15,7 @@ struct ReadyLaw {
 };
 
 /// wiper-wet: a lip on wet glass, Stribeck's curve. weatherstrip-falling: a trailing lip on paint, a linear fall.
+/// seal-lip: a lip that stiffens as it is pressed.
 std::span<const ReadyLaw> ready_laws();
 
 }  // namespace stridor::io
