@@ -1,7 +1,7 @@
 // Recordings whose samples are any double: refused with the place of the first that is no sample, or analysed, heard
 // and compared, and then every figure is a number. Under sanitizers nothing that is computed leads outside the memory.
 
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/likeness.hpp"

@@ -65,6 +65,10 @@ void friction(const FrictionOptions& options) {
     if (!options.pair.temperature.empty() && options.fit.empty() && options.pair.name.empty())
         base::refuse("--temperature says nothing here", "it is for a fit or the row of a pair",
                      "Add --fit best or --pair NAME?");
+    if (!options.fit.empty() && !options.pair.name.empty()) {
+        console::print_data(io::pair_rows_of_law(texts, options.pair, options.fit, console::say_note));
+        return;
+    }
     if (!options.fit.empty()) {
         fit_friction(options);
         return;
@@ -171,7 +175,9 @@ void add_rig_friction(CLI::App& rig) {
     CLI::Option* fit =
         command->add_option("--fit", options->fit, "fit the laws over the speed of slip, and use this or the best one")
             ->check(one_of(laws));
-    add_figure_option(*command, options->figure, options->sheet, "draw points, laws and what is left")->needs(fit);
+    CLI::Option* figure =
+        add_figure_option(*command, options->figure, options->sheet, "draw points, laws and what is left");
+    figure->needs(fit);
     CLI::Option* risk =
         command->add_flag("--risk", options->risk, "a number from 1 to 10 for each run, and what the model says")
             ->excludes(fit);
@@ -185,10 +191,12 @@ void add_rig_friction(CLI::App& rig) {
         ->type_name("STIFFNESS");
     command->add_option("--damping", options->texts.damping, "of the rig (default: none)")->type_name("DAMPING");
     CLI::Option* pair =
-        command->add_option("--pair", options->pair.name, "print the coefficients as rows of pairs.toml, of this pair")
+        command
+            ->add_option("--pair", options->pair.name,
+                         "print rows of pairs.toml, of this pair; with --fit they have the law's numbers")
             ->type_name("NAME")
-            ->excludes(fit)
-            ->excludes(risk);
+            ->excludes(risk)
+            ->excludes(figure);
     command
         ->add_option("--temperature", options->pair.temperature,
                      "of the test, for --fit and --pair; of several files \"23 degC, 60 degC\"")
@@ -204,7 +212,8 @@ void add_rig_friction(CLI::App& rig) {
             ->excludes(pair);
     add_json_option(*command, options->json,
                     "stridor.friction/1, with --fit stridor.friction-fit/1, with --risk stridor.friction-risk/1")
-        ->excludes(into);
+        ->excludes(into)
+        ->excludes(pair);
     command->footer(
         "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
         "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"

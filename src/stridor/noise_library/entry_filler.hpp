@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/noise_library/entry.hpp"
 #include "stridor/noise_library/field.hpp"

@@ -1,6 +1,6 @@
 #include "stridor/pictures/friction_fit.hpp"
 
-#include "stridor/analysis/friction_slip_fit.hpp"
+#include "stridor/analysis/friction/slip_fit.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/analysis/friction_falls.hpp"
+#include "stridor/analysis/friction/falls.hpp"
 
 #include <gtest/gtest.h>
 

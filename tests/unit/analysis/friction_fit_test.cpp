@@ -1,9 +1,8 @@
 // Traces of known laws: steady sliding at seven speeds, or a sweep, with white noise, slow fluctuations of friction and
 // a rig that rings. STRIDOR_FIT_TRACES in the environment says how many of each law.
 
-#include "stridor/analysis/friction_fit.hpp"
-
 #include "friction_fit_support.hpp"
+#include "stridor/analysis/friction/fit.hpp"
 #include "stridor/model/friction/friction.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"

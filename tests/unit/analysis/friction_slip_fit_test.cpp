@@ -2,9 +2,8 @@
 // share of its own (0.3 %) higher or lower in each slip; the sensor has noise of 5 mN. STRIDOR_FIT_TRACES in the
 // environment says how many of each law.
 
-#include "stridor/analysis/friction_slip_fit.hpp"
-
 #include "friction_fit_support.hpp"
+#include "stridor/analysis/friction/slip_fit.hpp"
 #include "stridor/model/friction/friction.hpp"
 #include "support/counter_random.hpp"
 

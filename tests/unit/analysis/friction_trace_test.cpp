@@ -1,7 +1,6 @@
 // The model's own friction forces, whose coefficients and drops are known from the case and from the contact history.
 
-#include "stridor/analysis/friction_trace.hpp"
-
+#include "stridor/analysis/friction/trace.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/integration/exact/exact.hpp"

@@ -334,6 +334,61 @@ TEST(PairRows, AreOneForEachConditionOfTheRuns) {
     EXPECT_TRUE(thrown_by([&] { pair_rows(texts, {"seal", "1 degC, 2 degC", {}}, note); }).says("--temperature has 2"));
 }
 
+// a made seal whose friction falls from mu_s to mu_d over v_s, at six speeds and two temperatures
+FrictionFitTexts runs_of_a_seal(const support::ScratchFolder& folder, std::string& temperatures) {
+    FrictionFitTexts texts;
+    texts.shared.preload = "10 N";
+    for (const double temperature : {23.0, 60.0})
+        for (const double speed : {2.0, 5.0, 10.0, 20.0, 40.0, 80.0}) {
+            const double scale = temperature > 50.0 ? 12.0 : 20.0;
+            const double kinetic = temperature > 50.0 ? 2.4 : 3.0;
+            std::string text = "time,friction,speed\ns,N,mm/s\n";
+            for (int k = 0; k < 500; ++k)
+                text += fmt::format(
+                    "{:.3f},{:.4f},{:g}\n", 4e-3 * k,
+                    kinetic + 2.0 * std::exp(-speed / scale) + 0.08 * std::sin((k + 77.0 * speed) * (k + 77.0 * speed)),
+                    speed);
+            const std::string name = (folder / fmt::format("seal-{:g}-{:g}.csv", temperature, speed)).string();
+            storage::write_file(name, text);
+            texts.files.push_back(name);
+            temperatures += (temperatures.empty() ? "" : ", ") + fmt::format("{:g} degC", temperature);
+        }
+    return texts;
+}
+
+double number_in(const std::string& rows, const std::string& key, std::size_t from) {
+    const std::size_t found = rows.find("\n" + key + " = ", from);
+    if (found == std::string::npos) return std::nan("");
+    std::string value = rows.substr(found + key.size() + 4, 20);
+    if (value.front() == '"') value.erase(0, 1);
+    return std::strtod(value.c_str(), nullptr);
+}
+
+TEST(PairRows, HaveTheNumbersOfALawThatIsFitted) {
+    const support::ScratchFolder folder;
+    std::string temperatures, said;
+    const FrictionFitTexts texts = runs_of_a_seal(folder, temperatures);
+    const auto note = [&](const std::string& words) { said += words; };
+    const std::string rows = pair_rows_of_law(texts, {"seal", temperatures, {}}, "best", note);
+    const std::size_t warm = rows.find("[[pair]]", 1);
+    ASSERT_NE(warm, std::string::npos) << rows;
+    EXPECT_NE(rows.find("# of the law friction = \"stribeck\""), std::string::npos) << rows;
+    EXPECT_NE(said.find("stribeck"), std::string::npos);
+    EXPECT_NEAR(number_in(rows, "stribeck_velocity", 0), 0.020, 0.0004);
+    EXPECT_NEAR(number_in(rows, "stribeck_velocity", warm), 0.012, 0.0004);
+    EXPECT_NEAR(number_in(rows, "kinetic_friction", warm), 0.24, 0.002);
+    EXPECT_EQ(number_in(rows, "stribeck_exponent", 0), 1.0);
+    // they are read as they are written
+    storage::write_file((folder / "pairs.toml").string(), rows);
+    const parameters::MaterialPair pair = read_material_pair((folder / "pairs.toml").string(), "seal");
+    EXPECT_EQ(pair.temperature, (std::vector{23.0, 60.0}));
+    EXPECT_EQ(pair.stribeck_velocity,
+              (std::vector{number_in(rows, "stribeck_velocity", 0), number_in(rows, "stribeck_velocity", warm)}));
+    EXPECT_TRUE(thrown_by([&] {
+                    pair_rows_of_law(texts, {"seal", temperatures, {}}, "table", note);
+                }).says("no place for rows over the speed"));
+}
+
 TEST(RigRisk, RefusesRangesThatAreNone) {
     const auto note = [](const std::string&) {};
     for (const char* range : {"noise=1:2", "acceleration", "impulse_rate=5:1", "impulse_rate=0:1"})

@@ -1,6 +1,6 @@
 #include "stridor/io/library/recording_probe.hpp"
 
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/recording_verdict.hpp"

@@ -9,6 +9,7 @@
 #include "stridor/io/simulation/friction_test_json.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <fmt/format.h>
@@ -203,31 +204,109 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
     return fitted;
 }
 
-std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
-                      const std::function<void(const std::string&)>& note) {
+namespace {
+
+// runs at one condition: the places of their files
+struct ConditionRuns {
+    PairConditions conditions;
+    std::vector<std::size_t> files;
+};
+
+// in the order of the files
+std::vector<ConditionRuns> runs_of_conditions(const FrictionFitTexts& texts, const std::vector<FrictionTexts>& each,
+                                              const PairConditions& conditions) {
     const std::size_t files = texts.files.size();
-    const std::vector<FrictionTexts> each = texts_of_files(texts);
     const std::vector<std::string> temperatures = listed_texts(conditions.temperature, files, "--temperature");
     const std::vector<std::string> humidities = listed_texts(conditions.humidity, files, "--humidity");
-    // the places of the runs at each condition, in the order of the files
-    std::vector<std::vector<std::size_t>> groups;
+    std::vector<ConditionRuns> runs;
     for (std::size_t k = 0; k < files; ++k) {
-        const auto is_alike = [&](const std::vector<std::size_t>& group) {
-            const std::size_t other = group.front();
-            return is_same(temperatures[k], temperatures[other], "degC") &&
-                   is_same(humidities[k], humidities[other], "%") && is_same(each[k].preload, each[other].preload, "N");
+        const auto is_alike = [&](const ConditionRuns& other) {
+            return is_same(temperatures[k], other.conditions.temperature, "degC") &&
+                   is_same(humidities[k], other.conditions.humidity, "%") &&
+                   is_same(each[k].preload, each[other.files.front()].preload, "N");
         };
-        const auto found = std::find_if(groups.begin(), groups.end(), is_alike);
-        if (found == groups.end())
-            groups.push_back({k});
+        const auto found = std::find_if(runs.begin(), runs.end(), is_alike);
+        if (found == runs.end())
+            runs.push_back({{conditions.name, temperatures[k], humidities[k]}, {k}});
         else
-            found->push_back(k);
+            found->files.push_back(k);
     }
+    return runs;
+}
+
+std::string condition_text(const ConditionRuns& runs, const std::string& preload) {
+    std::string text = "at ";
+    for (const std::string& each : {runs.conditions.temperature, runs.conditions.humidity})
+        if (!each.empty()) text += each + ", ";
+    return text + preload;
+}
+
+// the numbers of a law as a row of a pair has them
+std::string law_lines(const FittedLaw& law) {
+    std::string lines;
+    for (const parameters::PairColumn& column : parameters::pair_coefficients()) {
+        const bool is_coefficient = column.follows == &parameters::Contact::static_friction ||
+                                    column.follows == &parameters::Contact::kinetic_friction;
+        const bool is_fitted = std::any_of(law.numbers.begin(), law.numbers.end(),
+                                           [&](const FittedNumber& number) { return number.member == column.follows; });
+        if (!is_coefficient && !is_fitted) continue;
+        const std::string number = fmt::format("{:g}", to_four_figures(law.contact.*column.follows));
+        lines += std::string(column.name) + " = " +
+                 (column.unit == "1" ? number : "\"" + number + " " + std::string(column.unit) + "\"") + "\n";
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
+                      const std::function<void(const std::string&)>& note) {
+    const std::vector<FrictionTexts> each = texts_of_files(texts);
     std::string rows;
-    for (const std::vector<std::size_t>& group : groups) {
-        const PairConditions here{conditions.name, temperatures[group.front()], humidities[group.front()]};
-        rows += (rows.empty() ? "" : "\n") + pair_row(friction_of_group(texts, each, group, note), here);
+    for (const ConditionRuns& runs : runs_of_conditions(texts, each, conditions))
+        rows +=
+            (rows.empty() ? "" : "\n") + pair_row(friction_of_group(texts, each, runs.files, note), runs.conditions);
+    return rows;
+}
+
+std::string pair_rows_of_law(const FrictionFitTexts& texts, const PairConditions& conditions, const std::string& law,
+                             const std::function<void(const std::string&)>& note) {
+    const analysis::FrictionTraceOptions options = trace_options(texts.shared);
+    const std::vector<FrictionTexts> each = texts_of_files(texts);
+    const std::vector<ConditionRuns> runs = runs_of_conditions(texts, each, conditions);
+    std::vector<analysis::FrictionAtCondition> data;
+    std::vector<std::string> openings;
+    for (const ConditionRuns& here : runs) {
+        analysis::FrictionAtCondition& at = data.emplace_back(
+            analysis::FrictionAtCondition{condition_text(here, each[here.files.front()].preload), {}});
+        std::string source;
+        double preload = 0.0;
+        for (const std::size_t file : here.files) {
+            const RecordedFriction recorded =
+                at_file(each[file].file, [&] { return recorded_friction(each[file], note); });
+            const analysis::FrictionRun run{each[file].file, recorded.measurement, recorded.test.velocity};
+            at_file(each[file].file, [&] {
+                analysis::add_run(at.data, run, file, options);
+                return 0;
+            });
+            source += (source.empty() ? "" : ", ") + recorded.test.file;
+            preload = recorded.test.preload;
+        }
+        for (const std::string& each_note : at.data.notes)
+            note(each_note);
+        openings.push_back(pair_row_opening(here.conditions, source, preload));
     }
+    const analysis::FrictionOverConditions over = analysis::friction_over_conditions(data, measuring_rig(texts));
+    const std::size_t wanted = law == "best" ? over.whole.best : analysis::law_called(over.whole, law);
+    const std::string_view name = analysis::fitted_names[over.whole.laws[wanted].kind];
+    if (over.whole.laws[wanted].contact.friction == parameters::FrictionKind::table)
+        base::refuse("a pair has no place for rows over the speed", "its numbers are those of a law",
+                     "Ask for another law: --fit stribeck.");
+    note(analysis::words_of(over));
+    std::string rows;
+    for (std::size_t k = 0; k < openings.size(); ++k)
+        rows += (k == 0 ? "" : "\n") + openings[k] + law_lines(analysis::law_at(over, wanted, k)) +
+                "# of the law friction = \"" + std::string(name) + "\"\n";
     return rows;
 }
 
@@ -258,7 +337,7 @@ std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
                           {"residual", fit.laws[law].residuals[k]}});
     }
     if (fitted.over) {
-        const analysis::FrictionOverTemperature& over = *fitted.over;
+        const analysis::FrictionOverConditions& over = *fitted.over;
         document["sentence"] = analysis::words_of(over);
         document["gain"] = over.gain;
         Json& temperatures = document["temperatures"] = Json::array();
@@ -282,7 +361,7 @@ std::string friction_fit_json(const FittedFriction& fitted, std::size_t law) {
 namespace {
 
 // the values of a number at each temperature; none where no temperature has it
-std::vector<double> values_over(const analysis::FrictionOverTemperature& over, std::size_t law,
+std::vector<double> values_over(const analysis::FrictionOverConditions& over, std::size_t law,
                                 double parameters::Contact::*member) {
     std::vector<double> values;
     bool is_there = false;
@@ -305,7 +384,7 @@ void expect_room_for_temperature(const parameters::Case& c, const FittedLaw& law
 }
 
 // the numbers of a law as lists of [temperature], of each joint
-void put_over_temperature(parameters::Case& c, const analysis::FrictionOverTemperature& over, std::size_t law) {
+void put_over_temperature(parameters::Case& c, const analysis::FrictionOverConditions& over, std::size_t law) {
     using parameters::Contact;
     constexpr std::array members{&Contact::static_friction, &Contact::kinetic_friction, &Contact::friction_slope,
                                  &Contact::stribeck_velocity, &Contact::viscous_friction};

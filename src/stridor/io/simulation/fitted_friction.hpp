@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/analysis/friction_fit.hpp"
-#include "stridor/analysis/friction_over_temperature.hpp"
+#include "stridor/analysis/friction/fit.hpp"
+#include "stridor/analysis/friction/over_conditions.hpp"
 #include "stridor/io/simulation/friction_test.hpp"
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct FrictionFitTexts {
 struct FittedFriction {
     std::vector<FrictionTest> tests{};
     analysis::FrictionFit fit{};
-    std::optional<analysis::FrictionOverTemperature> over{};  // of runs at several temperatures; `fit` is its whole
+    std::optional<analysis::FrictionOverConditions> over{};  // of runs at several temperatures; `fit` is its whole
 };
 
 /// Returns the texts of each file, with its own preload and velocity. Throws `Error` (input) for lists of another
@@ -48,6 +48,12 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
 /// several has Coulomb's numbers fitted to them. Throws `Error` (input) as `pair_row` and `fitted_friction` do.
 std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
                       const std::function<void(const std::string&)>& note);
+
+/// The same with the numbers of a law, "best" or by its name, fitted to the runs of each condition: its kind and delta
+/// are common. `note` is told what the data say. Throws `Error` (input) for the law "table", whose rows a pair has no
+/// place for, and what `friction_over_conditions` throws.
+std::string pair_rows_of_law(const FrictionFitTexts& texts, const PairConditions& conditions, const std::string& law,
+                             const std::function<void(const std::string&)>& note);
 
 /// "stridor.friction-fit/1": runs, laws with their numbers and intervals, what the data bear, the points; `law` is the
 /// place of the law that was asked for.

@@ -197,10 +197,8 @@ std::string toml_string(const std::string& text) {
 
 }  // namespace
 
-std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions) {
-    const auto [mu_s, mu_d, has_static] = model_coefficients(measured.trace);
-    std::string row =
-        "[[pair]]\nname = " + toml_string(conditions.name) + "\nsource = " + toml_string(measured.test.file) + "\n";
+std::string pair_row_opening(const PairConditions& conditions, const std::string& source, double preload) {
+    std::string row = "[[pair]]\nname = " + toml_string(conditions.name) + "\nsource = " + toml_string(source) + "\n";
     if (!conditions.temperature.empty()) {
         base::parse_quantity(conditions.temperature, "degC");
         row += "temperature = " + toml_string(conditions.temperature) + "\n";
@@ -209,8 +207,13 @@ std::string pair_row(const MeasuredFriction& measured, const PairConditions& con
         base::parse_quantity(conditions.humidity, "%");
         row += "humidity = " + toml_string(conditions.humidity) + "\n";
     }
-    row += fmt::format("load = \"{:g} N\"\nstatic_friction = {:g}\nkinetic_friction = {:g}\n", measured.test.preload,
-                       mu_s, mu_d);
+    return row + fmt::format("load = \"{:g} N\"\n", preload);
+}
+
+std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions) {
+    const auto [mu_s, mu_d, has_static] = model_coefficients(measured.trace);
+    std::string row = pair_row_opening(conditions, measured.test.file, measured.test.preload);
+    row += fmt::format("static_friction = {:g}\nkinetic_friction = {:g}\n", mu_s, mu_d);
     if (!has_static) row += "# no static coefficient was to be seen: it is set to the kinetic one\n";
     return row;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/signal/source.hpp"
@@ -77,6 +77,10 @@ struct PairConditions {
     std::string temperature{};  // "23 degC"
     std::string humidity{};     // "50 %"
 };
+
+/// Returns how a row [[pair]] begins: name, source, conditions and load. Throws `Error` (input) for a text that is no
+/// quantity.
+std::string pair_row_opening(const PairConditions& conditions, const std::string& source, double preload);
 
 /// Returns the measured coefficients, to four digits, as a row [[pair]] of a file pairs.toml. Throws `Error` (input) as
 /// `case_with_friction` does.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_risk.hpp"
+#include "stridor/analysis/friction/risk.hpp"
 #include "stridor/io/simulation/fitted_friction.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_fit.hpp"
+#include "stridor/analysis/friction/fit.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/analysis/friction_slips.hpp"
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/slips.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 // deviation over n and what the shape does to all F_j. A number's variance is n/(n - p) times the sum of their squares,
 // p being the count of numbers.
 
-#include "stridor/analysis/friction_slip_regression.hpp"
+#include "stridor/analysis/friction/slip_regression.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_slips.hpp"
+#include "stridor/analysis/friction/slips.hpp"
 #include "stridor/base/decompositions.hpp"
 #include "stridor/parameters/case.hpp"
 

@@ -1,6 +1,5 @@
-#include "stridor/analysis/friction_over_temperature.hpp"
-
 #include "friction_fit_support.hpp"
+#include "stridor/analysis/friction/over_conditions.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"
 
@@ -46,7 +45,7 @@ TEST(FrictionOverTemperature, FindsTheNumbersOfEachTemperature) {
     std::vector<FrictionAtTemperature> runs;
     for (const auto& [temperature, law] : softening)
         runs.push_back(measured_at(temperature, law, static_cast<std::uint64_t>(temperature + 100.0)));
-    const FrictionOverTemperature over = friction_over_temperature(std::move(runs));
+    const FrictionOverConditions over = friction_over_temperature(std::move(runs));
     ASSERT_EQ(over.temperatures, (std::vector{-10.0, 23.0, 60.0}));
     ASSERT_EQ(fitted_names[over.whole.laws[over.whole.best].kind], "stribeck");
     EXPECT_EQ(words_of(over).find("The data bear stribeck."), 0U) << words_of(over);
@@ -72,14 +71,14 @@ TEST(FrictionOverTemperature, FindsTheNumbersOfEachTemperature) {
 
 TEST(FrictionOverTemperature, HasOneDeltaForAll) {
     // the Gaussian curve is plain at 20 degC; at 60 degC there is so little fall that either would do
-    const FrictionOverTemperature over = friction_over_temperature(
+    const FrictionOverConditions over = friction_over_temperature(
         {measured_at(20.0, {0.5, 0.3, 0.02, 2.0}, 1), measured_at(60.0, {0.302, 0.3, 0.02}, 2)});
     for (std::size_t k = 0; k < 2; ++k)
         EXPECT_EQ(law_at(over, law_called(over.whole, "stribeck"), k).contact.stribeck_exponent, 2.0);
 }
 
 TEST(FrictionOverTemperature, SaysWhereTheTemperatureChangesNothing) {
-    const FrictionOverTemperature over =
+    const FrictionOverConditions over =
         friction_over_temperature({measured_at(0.0, {}, 1), measured_at(20.0, {}, 2), measured_at(40.0, {}, 3)});
     EXPECT_LT(over.gain, telling_difference);
     EXPECT_NE(words_of(over).find("Nothing shows that it changes with the temperature."), std::string::npos);
@@ -96,7 +95,7 @@ TEST(FrictionOverTemperature, RefusesOneTemperatureAndNamesTheOneThatIsShort) {
 
 // with fewer speeds than numbers at one temperature the law is fitted at none
 TEST(FrictionOverTemperature, SaysAtWhichTemperatureALawIsNotFitted) {
-    const FrictionOverTemperature over =
+    const FrictionOverConditions over =
         friction_over_temperature({measured_at(20.0, {}, 1), measured_at(60.0, {}, 2, 2)});
     EXPECT_TRUE(support::thrown_by([&] {
                     law_called(over.whole, "stribeck");

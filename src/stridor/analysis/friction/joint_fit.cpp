@@ -6,10 +6,10 @@
 // slips have it. Akaike's criterion of the slips grows by the second sum, and that of the points is added: they are
 // independent, and each number counts once.
 
-#include "stridor/analysis/friction_joint_fit.hpp"
+#include "stridor/analysis/friction/joint_fit.hpp"
 
-#include "stridor/analysis/friction_regression.hpp"
-#include "stridor/analysis/friction_slip_fit.hpp"
+#include "stridor/analysis/friction/regression.hpp"
+#include "stridor/analysis/friction/slip_fit.hpp"
 #include "stridor/base/decompositions.hpp"
 
 #include <algorithm>

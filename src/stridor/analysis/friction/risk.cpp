@@ -1,4 +1,4 @@
-#include "stridor/analysis/friction_risk.hpp"
+#include "stridor/analysis/friction/risk.hpp"
 
 #include <algorithm>
 #include <cmath>

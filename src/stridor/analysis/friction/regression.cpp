@@ -6,9 +6,9 @@
 // The bounds of the laws are beta >= 0. With at most four columns all sets of free numbers are tried; the least sum of
 // squares among those without a negative number is the answer.
 
-#include "stridor/analysis/friction_regression.hpp"
+#include "stridor/analysis/friction/regression.hpp"
 
-#include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/analysis/friction/stretches.hpp"
 #include "stridor/base/decompositions.hpp"
 #include "stridor/parameters/fields/field.hpp"
 

@@ -1,7 +1,7 @@
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 
-#include "stridor/analysis/friction_falls.hpp"
-#include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/analysis/friction/falls.hpp"
+#include "stridor/analysis/friction/stretches.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/analysis/friction_points.hpp"
-#include "stridor/analysis/friction_slips.hpp"
+#include "stridor/analysis/friction/points.hpp"
+#include "stridor/analysis/friction/slips.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/fields/field.hpp"
 

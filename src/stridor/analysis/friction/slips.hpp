@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_falls.hpp"
+#include "stridor/analysis/friction/falls.hpp"
 #include "stridor/model/friction/friction.hpp"
 
 #include <cstddef>

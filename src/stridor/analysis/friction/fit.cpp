@@ -1,8 +1,8 @@
-#include "stridor/analysis/friction_fit.hpp"
+#include "stridor/analysis/friction/fit.hpp"
 
-#include "stridor/analysis/friction_joint_fit.hpp"
-#include "stridor/analysis/friction_regression.hpp"
-#include "stridor/analysis/friction_slip_fit.hpp"
+#include "stridor/analysis/friction/joint_fit.hpp"
+#include "stridor/analysis/friction/regression.hpp"
+#include "stridor/analysis/friction/slip_fit.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/friction/friction.hpp"

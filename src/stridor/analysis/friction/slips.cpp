@@ -1,4 +1,4 @@
-#include "stridor/analysis/friction_slips.hpp"
+#include "stridor/analysis/friction/slips.hpp"
 
 #include <algorithm>
 #include <cmath>

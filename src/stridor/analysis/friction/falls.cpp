@@ -9,7 +9,7 @@
 // A force measured through a spring swings evenly about mu_d N in a slip; the contact's own force is mu_d N: the mean
 // of both is the kinetic coefficient.
 
-#include "stridor/analysis/friction_falls.hpp"
+#include "stridor/analysis/friction/falls.hpp"
 
 #include <algorithm>
 #include <cmath>

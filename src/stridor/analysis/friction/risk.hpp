@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/analysis/friction/trace.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,10 +1,10 @@
 // The deviations that tell how long a trace hangs together are those from a line of hats through all samples of a run
 // over its speed: they leave a law over the speed out, whichever it is.
 
-#include "stridor/analysis/friction_points.hpp"
+#include "stridor/analysis/friction/points.hpp"
 
-#include "stridor/analysis/friction_falls.hpp"
-#include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/analysis/friction/falls.hpp"
+#include "stridor/analysis/friction/stretches.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"

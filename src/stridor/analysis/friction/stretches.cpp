@@ -1,4 +1,4 @@
-#include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/analysis/friction/stretches.hpp"
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"

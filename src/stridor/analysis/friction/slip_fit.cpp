@@ -1,11 +1,11 @@
 // Each law is fitted from first guesses of v_s that lie a decade apart, and with delta 1 and 2. The intervals come from
 // the influences of the slips (friction_slip_regression.cpp), those of v_s and the rig by their logarithm.
 
-#include "stridor/analysis/friction_slip_fit.hpp"
+#include "stridor/analysis/friction/slip_fit.hpp"
 
-#include "stridor/analysis/friction_regression.hpp"
-#include "stridor/analysis/friction_slip_regression.hpp"
-#include "stridor/analysis/friction_stretches.hpp"
+#include "stridor/analysis/friction/regression.hpp"
+#include "stridor/analysis/friction/slip_regression.hpp"
+#include "stridor/analysis/friction/stretches.hpp"
 #include "stridor/model/friction/friction.hpp"
 
 #include <algorithm>

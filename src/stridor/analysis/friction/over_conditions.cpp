@@ -1,6 +1,6 @@
-#include "stridor/analysis/friction_over_temperature.hpp"
+#include "stridor/analysis/friction/over_conditions.hpp"
 
-#include "stridor/analysis/friction_regression.hpp"
+#include "stridor/analysis/friction/regression.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 
@@ -21,7 +21,7 @@ const FittedLaw* law_of_kind(const FrictionFit& fit, std::size_t kind) {
     return found == fit.laws.end() ? nullptr : &*found;
 }
 
-// over all temperatures; nothing where one of them has no such law
+// over all conditions; nothing where one of them has no such law
 std::optional<FittedLaw> law_of_all(const std::vector<FrictionFit>& fits, std::size_t kind) {
     FittedLaw all;
     all.kind = kind;
@@ -39,10 +39,10 @@ std::optional<FittedLaw> law_of_all(const std::vector<FrictionFit>& fits, std::s
     return all;
 }
 
-std::string why_not(const FrictionOverTemperature& over, std::size_t kind) {
-    for (std::size_t k = 0; k < over.temperatures.size(); ++k)
+std::string why_not(const FrictionOverConditions& over, std::size_t kind) {
+    for (std::size_t k = 0; k < over.conditions.size(); ++k)
         for (const UnfittedLaw& each : over.fits[0][k].unfitted)
-            if (each.kind == kind) return "at " + base::shortest(over.temperatures[k]) + " degC " + each.why;
+            if (each.kind == kind) return over.conditions[k] + " " + each.why;
     return "";
 }
 
@@ -55,8 +55,8 @@ FrictionPoints joined(const std::vector<FrictionFit>& fits) {
     return all;
 }
 
-// both criteria are those of all points, as independent as they are at each temperature
-double gain_of(const FrictionOverTemperature& over) {
+// both criteria are those of all points, as independent as they are at each condition
+double gain_of(const FrictionOverConditions& over) {
     const FittedLaw& own = over.whole.laws[over.whole.best];
     const std::size_t exponent = over.exponents[over.whole.best];
     double independent = 0.0;
@@ -73,30 +73,25 @@ double gain_of(const FrictionOverTemperature& over) {
     return criterion(*one) - criterion(own);
 }
 
-// an error says at which temperature
-FrictionFit fit_at(const FrictionAtTemperature& runs, const std::optional<MeasuringRig>& rig, double exponent) {
+// an error says at which condition
+FrictionFit fit_at(const FrictionAtCondition& runs, const std::optional<MeasuringRig>& rig, double exponent) {
     try {
         return friction_fit(runs.data, rig, exponent);
     } catch (const Error& error) {
         base::Problem problem = error.problem();
-        problem.what = "at " + base::shortest(runs.temperature) + " degC " + problem.what;
+        problem.what = runs.condition + " " + problem.what;
         throw Error(error.kind(), problem);
     }
 }
 
 }  // namespace
 
-FrictionOverTemperature friction_over_temperature(std::vector<FrictionAtTemperature> runs,
-                                                  const std::optional<MeasuringRig>& rig) {
-    if (runs.size() < 2)
-        base::refuse("all runs are of one temperature", "a law over the temperature needs two at least",
-                     "Give --temperature a value for each file, or leave it out.");
-    std::sort(runs.begin(), runs.end(), [](const FrictionAtTemperature& a, const FrictionAtTemperature& b) {
-        return a.temperature < b.temperature;
-    });
-    FrictionOverTemperature over;
-    for (const FrictionAtTemperature& each : runs) {
-        over.temperatures.push_back(each.temperature);
+FrictionOverConditions friction_over_conditions(const std::vector<FrictionAtCondition>& runs,
+                                                const std::optional<MeasuringRig>& rig) {
+    if (runs.empty()) base::refuse("there are no runs", "a law is fitted to some", "");
+    FrictionOverConditions over;
+    for (const FrictionAtCondition& each : runs) {
+        over.conditions.push_back(each.condition);
         for (std::size_t k = 0; k < fitted_exponents.size(); ++k)
             over.fits[k].push_back(fit_at(each, rig, fitted_exponents[k]));
         over.whole.independent += over.fits[0].back().independent;
@@ -119,20 +114,39 @@ FrictionOverTemperature friction_over_temperature(std::vector<FrictionAtTemperat
         over.exponents.push_back(exponent);
     }
     if (over.whole.laws.empty())
-        base::refuse("no law can be fitted at all temperatures", over.whole.unfitted.front().why,
-                     "Measure at more speeds there, or leave that temperature out.");
+        base::refuse("no law can be fitted at all conditions", over.whole.unfitted.front().why,
+                     "Measure at more speeds there, or leave that one out.");
     choose_law(over.whole);
     over.gain = gain_of(over);
     return over;
 }
 
-const FittedLaw& law_at(const FrictionOverTemperature& over, std::size_t law, std::size_t temperature) {
-    return *law_of_kind(over.fits[over.exponents[law]][temperature], over.whole.laws[law].kind);
+FrictionOverConditions friction_over_temperature(std::vector<FrictionAtTemperature> runs,
+                                                 const std::optional<MeasuringRig>& rig) {
+    if (runs.size() < 2)
+        base::refuse("all runs are of one temperature", "a law over the temperature needs two at least",
+                     "Give --temperature a value for each file, or leave it out.");
+    std::sort(runs.begin(), runs.end(), [](const FrictionAtTemperature& a, const FrictionAtTemperature& b) {
+        return a.temperature < b.temperature;
+    });
+    std::vector<FrictionAtCondition> conditions;
+    std::vector<double> temperatures;
+    for (FrictionAtTemperature& each : runs) {
+        conditions.push_back({"at " + base::shortest(each.temperature) + " degC", std::move(each.data)});
+        temperatures.push_back(each.temperature);
+    }
+    FrictionOverConditions over = friction_over_conditions(conditions, rig);
+    over.temperatures = std::move(temperatures);
+    return over;
 }
 
-std::string words_of(const FrictionOverTemperature& over) {
+const FittedLaw& law_at(const FrictionOverConditions& over, std::size_t law, std::size_t condition) {
+    return *law_of_kind(over.fits[over.exponents[law]][condition], over.whole.laws[law].kind);
+}
+
+std::string words_of(const FrictionOverConditions& over) {
     const std::string words = words_of(over.whole);
-    if (std::isnan(over.gain)) return words;
+    if (over.temperatures.empty() || std::isnan(over.gain)) return words;
     return words + (over.gain < telling_difference ? " Nothing shows that it changes with the temperature."
                                                    : " It changes with the temperature.");
 }
