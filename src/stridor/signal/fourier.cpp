@@ -113,6 +113,53 @@ void pairs(Numbers x, Results y, std::size_t s) {
     }
 }
 
+// Eigen's transform of any length, with turns of our own: the last bits of the C library's depend on the machine. It
+// takes a frame as complex numbers.
+class AnyLength {
+public:
+    explicit AnyLength(std::size_t size)
+        : forward_(plan(size, Way::forward)),
+          backward_(plan(size, Way::backward)),
+          from_(size),
+          to_(size) {}
+
+    void forward(std::span<const double> frame, std::span<std::complex<double>> spectrum) {
+        forward_.work(0, to_.data(), frame.data(), 1, 1);
+        std::copy_n(to_.begin(), spectrum.size(), spectrum.begin());
+    }
+
+    void backward(std::span<const std::complex<double>> spectrum, std::span<double> frame) {
+        std::copy(spectrum.begin(), spectrum.end(), from_.begin());
+        for (std::size_t k = 1; k < spectrum.size(); ++k)
+            from_[from_.size() - k] = std::conj(spectrum[k]);
+        backward_.work(0, to_.data(), from_.data(), 1, 1);
+        const double scale = 1.0 / static_cast<double>(frame.size());
+        std::transform(to_.begin(), to_.end(), frame.begin(),
+                       [=](const std::complex<double>& number) { return scale * number.real(); });
+    }
+
+private:
+    enum class Way { forward, backward };
+    using Plan = Eigen::internal::kiss_cpx_fft<double>;
+
+    static Plan plan(std::size_t size, Way way) {
+        Plan made;
+        made.m_inverse = way == Way::backward;
+        for (std::size_t k = 0; k < size; ++k) {
+            const base::SineCosine turn =
+                base::sine_cosine_of_turns(static_cast<double>(k) / static_cast<double>(size));
+            made.m_twiddles.emplace_back(turn.cosine, made.m_inverse ? turn.sine : -turn.sine);
+        }
+        made.factorize(static_cast<int>(size));
+        return made;
+    }
+
+    Plan forward_;
+    Plan backward_;
+    std::vector<std::complex<double>> from_;
+    std::vector<std::complex<double>> to_;
+};
+
 }  // namespace
 
 bool RadixFour::takes(std::size_t size) {
@@ -210,11 +257,13 @@ void RadixFour::backward(std::span<const std::complex<double>> spectrum, std::sp
 
 struct Fourier::Buffers {
     explicit Buffers(std::size_t count) : size(count), time(count), half(count / 2 + 1) {
-        transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-        if (RadixFour::takes(count)) radix_four.emplace(count);
+        if (RadixFour::takes(count))
+            radix_four.emplace(count);
+        else
+            any_length.emplace(count);
     }
-    std::optional<RadixFour> radix_four{};  // takes half the time
-    Eigen::FFT<double> transform;
+    std::optional<RadixFour> radix_four{};  // takes a quarter of the time
+    std::optional<AnyLength> any_length{};
     std::size_t size;
     std::vector<double> time;
     std::vector<std::complex<double>> half;
@@ -239,7 +288,7 @@ std::span<const std::complex<double>> Fourier::spectrum(std::span<const double> 
     if (buffers_->radix_four)
         buffers_->radix_four->forward(time, buffers_->half);
     else
-        buffers_->transform.fwd(buffers_->half.data(), time.data(), static_cast<Eigen::Index>(time.size()));
+        buffers_->any_length->forward(time, buffers_->half);
     return buffers_->half;
 }
 
@@ -249,8 +298,7 @@ std::span<const double> Fourier::frame(std::span<const std::complex<double>> spe
         buffers_->radix_four->backward(spectrum, buffers_->time);
         return buffers_->time;
     }
-    std::copy(spectrum.begin(), spectrum.end(), buffers_->half.begin());
-    buffers_->transform.inv(buffers_->time.data(), buffers_->half.data(), static_cast<Eigen::Index>(size()));
+    buffers_->any_length->backward(spectrum, buffers_->time);
     return buffers_->time;
 }
 

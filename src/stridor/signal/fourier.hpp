@@ -47,7 +47,7 @@ private:
 };
 
 /// The discrete Fourier transform of real frames of one length, and back: by `RadixFour` if it takes the
-/// length, else by Eigen's transform.
+/// length, else by Eigen's transform. The bits are the same on every machine.
 ///
 ///     X[k] = Σ x[n] exp(-2πi k n / N),  k = 0 ... N/2;   x[n] = 1/N Σ X[k] exp(+2πi k n / N)
 ///
