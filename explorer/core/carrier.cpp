@@ -2,9 +2,11 @@
 // (explorer/answers/seam.hpp). The page puts a text into `room`, calls, and is called back with what was answered.
 
 #include "page_crew.hpp"
+#include "page_files.hpp"
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/answers/seam.hpp"
 #include "stridor/explorer/world.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,17 +52,24 @@ void carry(const Response& response) {
         part(response.body);
 }
 
+// with the files that were kept for it
 Response opened(const std::string& text) {
     World world{paper_presets(), {}, 1};
-    world.presets.insert(world.presets.begin(), preset_of({text, "case.toml", {}}, readers_of_page()));
+    world.presets.insert(world.presets.begin(), preset_of({text, "case.toml", {}}, {}));
     Response response = start(world);  // reads every case once: a world that cannot be shown is not kept
     carrier().world = std::move(world);
     return response;
 }
 
+// a recording that was kept
+Response heard(const std::string& name) {
+    return analysis_of(*recordings::open_signal(name));
+}
+
 Response routed(std::string_view path, const std::string& body) {
     if (path == "/api/start") return start(carrier().world);
     if (path == "/api/open") return opened(body);
+    if (path == "/api/recording") return heard(body);
     if (std::optional<Response> found = answer_at(carrier().world, path, body, {})) return std::move(*found);
     throw Error(ErrorKind::input, {std::string(path.substr(0, 100)) + " is not in the page in one file",
                                    "it needs the program", "Start stridor explore."});
@@ -93,6 +102,17 @@ STRIDOR_FOR_PAGE("room") char* room(std::size_t length) {
     std::string& room = stridor::explorer::carrier().room;
     room.resize(length);
     return room.data();
+}
+
+/// Keeps the file in the room (its name, its bytes) beside the case that is opened next; without a name: forgets all.
+STRIDOR_FOR_PAGE("keep") void keep(std::size_t name_length) {
+    using namespace stridor;
+    std::string bytes = explorer::cut_room(name_length);
+    const std::string name = std::exchange(explorer::carrier().room, {});
+    if (name.empty())
+        storage::forget_files();
+    else
+        storage::keep_file(name, std::move(bytes));
 }
 
 /// Answers the question in the room: its path, then its body.

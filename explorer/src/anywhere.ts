@@ -1,8 +1,11 @@
 /** The page in one file: the program's answers come from a module inside it, and nothing leaves the machine. */
 import { beginAnew, caseToBegin, compiledCore, fileWithCase, textOfFile, workerMaker } from "./anywhere/parts.ts";
+import { chosen, openedIn, textOf, withNamedFiles } from "./anywhere/opened.ts";
 import { Pool } from "./anywhere/pool.ts";
-import { openable } from "./data/api.ts";
+import { Recordings } from "./anywhere/recordings.ts";
+import { openable, sentence } from "./data/api.ts";
 import { carryInside } from "./data/carrier.ts";
+import { fragment, visit } from "./state/place.ts";
 
 const fewest = 2; // workers: a chart does not keep a verdict waiting
 
@@ -15,24 +18,64 @@ function missing(): string {
   return "";
 }
 
+const recordings = new Recordings();
+
+/** A case begins the page anew; recordings are heard as B. */
+async function open(files: readonly File[]): Promise<void> {
+  if (Recordings.are(files)) {
+    const number = await recordings.take(files);
+    visit(`${fragment().replace(/&(view|other)=[^&]*/g, "")}&view=listen&other=library:${number}`);
+    return;
+  }
+  const text = textOf(await chosen(files));
+  await openable(text);
+  beginAnew(text);
+}
+
+/** Opens what is dropped anywhere on the page; without this the browser would leave the page for it. */
+function takeDrops(): void {
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (files.length === 0) return;
+    open(files).catch((error: unknown) => {
+      const said = document.querySelector<HTMLElement>("#complaint");
+      said?.replaceChildren(sentence(error));
+      if (said) said.hidden = false;
+    });
+  });
+}
+
 async function begin(): Promise<void> {
   const problem = missing();
   if (problem) throw new Error(problem);
   const file = textOfFile();
-  const module = await compiledCore();
+  const module = await compiledCore().catch((error: unknown) => {
+    if (!/memory/i.test(sentence(error))) throw error;
+    throw new Error("The browser gives this page no memory for the program in it. Close other tabs and reload it.");
+  });
   const most = Math.max(fewest, navigator.hardwareConcurrency || fewest);
   const opened = caseToBegin();
   const pool = new Pool(workerMaker(), { module, opened }, most);
   carryInside({
-    // a case that cannot be opened says why in place of the page
-    carry: (path, init) =>
-      path === "/api/start" && opened !== null ? pool.carry("/api/open", { body: opened }) : pool.carry(path, init),
-    saved: (toml) => fileWithCase(file, toml),
-    async open(toml) {
-      await openable(toml);
-      beginAnew(toml);
+    carry(path, init) {
+      // a case that cannot be opened says why in place of the page
+      if (path === "/api/start" && opened !== null) return pool.carry("/api/open", { body: opened });
+      const [, number, what] = /^\/api\/library\/(\d+)\/(audio|analysis)$/.exec(path) ?? [];
+      const recording = recordings.at(Number(number));
+      if (!recording) return pool.carry(path, init);
+      if (what === "audio") return Promise.resolve(new Response(recording.file));
+      return pool.carry("/api/recording", { ...init, body: recording.name }, recording.bytes);
     },
+    recording: (number) => recordings.at(number)?.name ?? "",
+    saved: (toml) => {
+      const files = opened === null ? {} : openedIn(opened).files;
+      return fileWithCase(file, textOf(withNamedFiles({ toml, files })));
+    },
+    open,
   });
+  takeDrops();
   await import("./main.ts");
 }
 

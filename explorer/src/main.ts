@@ -11,6 +11,7 @@ import { button, h, menu, select } from "./draw/dom.ts";
 import { setUnits, unitSystems, type UnitSystem } from "./draw/format.ts";
 import { onLook, relook, setTheme } from "./draw/theme.ts";
 import { Clock } from "./state/clock.ts";
+import { kept, keptInTab } from "./state/place.ts";
 import { themes, type Design, type State } from "./state/state.ts";
 import { Shown } from "./state/shown.ts";
 import { Store, type Step } from "./state/store.ts";
@@ -51,7 +52,7 @@ class Page {
   private readonly complaint_ = new Complaint();
   private readonly tourButton_ = button("Tour", () => void this.takeTour_(), {
     id: "tour-button",
-    class: sessionStorage.getItem(tourSeen) ? "" : "primary",
+    class: keptInTab.get(tourSeen) ? "" : "primary",
     title: "Two minutes: predict, then try (t)",
   });
   private readonly verdict_: VerdictBar;
@@ -69,7 +70,7 @@ class Page {
   constructor(private readonly start_: Start) {
     const store = (this.store_ = new Store(defaultsOf(start_)));
     setTheme(store.state.theme);
-    setUnits(localStorage.getItem(unitsKept) === "engineering" ? "engineering" : "si");
+    setUnits(kept.get(unitsKept) === "engineering" ? "engineering" : "si");
     this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
     this.parameters_ = new Parameters(store, start_, (error) => this.complain_(error));
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
@@ -103,13 +104,13 @@ class Page {
   private unitPicker_(): HTMLElement {
     const choices = Object.entries(unitSystems);
     const pick = (name: string): void => {
-      localStorage.setItem(unitsKept, name);
+      kept.set(unitsKept, name);
       setUnits(name as UnitSystem);
       relook();
     };
     const title = "Units of all that is shown; the case and what is sent stay as they are";
     const picker = select("Units", choices, pick, { id: "units", title });
-    picker.value = localStorage.getItem(unitsKept) ?? "si";
+    picker.value = kept.get(unitsKept) ?? "si";
     return picker;
   }
 
@@ -257,7 +258,7 @@ class Page {
   private async takeTour_(): Promise<void> {
     try {
       this.tour_ ??= (await later()).tour(this.store_);
-      sessionStorage.setItem(tourSeen, "yes");
+      keptInTab.set(tourSeen, "yes");
       this.tourButton_.classList.remove("primary");
       this.tour_.begin();
       if (this.simulation_ && same(this.simulated_, this.store_.state.design))

@@ -10,6 +10,8 @@ export interface Begin {
 export interface Question {
   path: string;
   body: string;
+  /** The recording that the body names. */
+  recording?: Uint8Array<ArrayBuffer>;
   /** To be answered by these results of helpers alone, or by the tasks for so many of them. */
   shared?: { results: Uint8Array; helpers: number };
   /** Tasks of the question, of which the results are wanted. */
@@ -21,4 +23,4 @@ export type Letter =
   | { kind: "head"; status: number; type: string }
   | { kind: "part"; bytes: Uint8Array<ArrayBuffer> }
   | { kind: "end"; size: number } // [bytes] of memory that the worker has taken
-  | { kind: "failed"; why: string };
+  | { kind: "failed"; why: string; lacksMemory: boolean };

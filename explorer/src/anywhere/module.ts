@@ -1,5 +1,7 @@
 /** One instance of the core (explorer/core/carrier.cpp): a path and a text in, an answer out, part by part. */
 
+import { bytesOfText, openedIn } from "./opened.ts";
+
 export interface Head {
   status: number;
   type: string;
@@ -13,6 +15,7 @@ export interface Told {
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;
+  keep(nameLength: number): void;
   room(length: number): number;
   answer(pathLength: number): void;
   share(pathLength: number, bodyLength: number, helpers: number): void;
@@ -64,6 +67,26 @@ export class Core {
     this.call_(path, body, nothing, told, (pathLength) => this.exports_.answer(pathLength));
   }
 
+  /** Opens a case with the files beside it, as the file of the page holds them (opened.ts). */
+  open(text: string, told: Told): void {
+    const { toml, files } = openedIn(text);
+    for (const [name, content] of Object.entries(files)) this.keep_(name, bytesOfText(content));
+    this.ask("/api/open", toml, told);
+    this.keep_("", nothing);
+  }
+
+  /** Judges a recording by ear. */
+  hear(name: string, bytes: Uint8Array, told: Told): void {
+    this.keep_(name, bytes);
+    this.ask("/api/recording", name, told);
+    this.keep_("", nothing);
+  }
+
+  /** Keeps a file for the next question; without a name: forgets all. */
+  private keep_(name: string, bytes: Uint8Array): void {
+    this.call_(name, "", bytes, null, (nameLength) => this.exports_.keep(nameLength));
+  }
+
   /** Answers it by results of helpers alone; a head with status 202 says that some are lacking, a part for each. */
   share(path: string, body: string, results: Uint8Array, helpers: number, told: Told): void {
     this.call_(path, body, results, told, (...lengths) => this.exports_.share(...lengths, helpers));
@@ -83,7 +106,7 @@ export class Core {
     path: string,
     body: string,
     rest: Uint8Array,
-    told: Told,
+    told: Told | null,
     call: (pathLength: number, bodyLength: number) => void,
   ): void {
     const [first, second] = [path, body].map((text) => new TextEncoder().encode(text)) as [Uint8Array, Uint8Array];

@@ -1,5 +1,8 @@
 /** What the file of the page holds besides the page: the core, the workers' script, and perhaps a case. */
 
+import { noWorkers } from "./pool.ts";
+import { hasAddress, keptInTab, write } from "../state/place.ts";
+
 const openedKept = "stridor-opened"; // in the session's storage: a case that was opened in the page
 
 /** The text of an inert element of the file. */
@@ -7,22 +10,24 @@ function partOf(id: string): string {
   return document.getElementById(id)?.textContent ?? "";
 }
 
-/** The case to begin with, as TOML: what was opened in this tab, or what is in the file; null: the paper's cases. */
+/** The case to begin with (opened.ts): what was opened in this tab, or what is in the file; null: the paper's cases. */
 export function caseToBegin(): string | null {
-  const opened = sessionStorage.getItem(openedKept);
+  const opened = hasAddress ? keptInTab.get(openedKept) : null; // the tab of a frame is another page's
   if (opened !== null) return opened;
-  const text: unknown = JSON.parse(partOf("stridor-case") || "null");
-  return typeof text === "string" ? text : null;
+  const text = partOf("stridor-case").trim();
+  return text === "" || text === "null" ? null : text;
 }
 
-/** Loads the page anew with another case. */
-export function beginAnew(toml: string): void {
+/** Loads the page anew with another case (opened.ts). */
+export function beginAnew(opened: string): void {
+  if (!hasAddress)
+    throw new Error("In a frame the page keeps its case. Save this page, and open the case in the file.");
   try {
-    sessionStorage.setItem(openedKept, toml);
+    keptInTab.set(openedKept, opened);
   } catch {
     throw new Error("This case is too large for the page (a browser keeps some 5 MB). Open it with stridor explore.");
   }
-  history.replaceState(null, "", "#");
+  write("#", "replace");
   location.reload();
 }
 
@@ -35,12 +40,12 @@ export function textOfFile(): string {
 const letters = new TextDecoder("windows-1252").decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
 const byteOf = new Map([...letters].map((letter, byte) => [letter, byte]));
 
-/** The bytes of the file with a case (TOML) in it; no text ends the element that holds it. */
-export function fileWithCase(file: string, toml: string): Uint8Array<ArrayBuffer> {
+/** The bytes of the file with a case (opened.ts) in it; no text ends the element that holds it. */
+export function fileWithCase(file: string, opened: string): Uint8Array<ArrayBuffer> {
   const begin = '<script type="application/json" id="stridor-case">';
   const from = file.indexOf(begin) + begin.length;
   const to = file.indexOf("</script>", from);
-  const json = JSON.stringify(toml).replace(
+  const json = opened.replace(
     /[<\u0080-\uffff]/g,
     (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`,
   );
@@ -69,5 +74,11 @@ export async function compiledCore(): Promise<WebAssembly.Module> {
 /** Makes workers that run the script in the file. */
 export function workerMaker(): () => Worker {
   const url = URL.createObjectURL(new Blob([partOf("stridor-worker")], { type: "text/javascript" }));
-  return () => new Worker(url);
+  return () => {
+    try {
+      return new Worker(url);
+    } catch {
+      throw new Error(noWorkers);
+    }
+  };
 }

@@ -7,6 +7,10 @@ import type { Begin, Letter, Question } from "./letters.ts";
 
 const mostMemory = 96e6; // [bytes] of a worker that waits for its next question
 const mostWaiting = 2; // workers without a question; with more the others are ended
+const noMemory =
+  "The browser gives the page no more memory. Close other tabs and reload it, or ask for less: fewer points, a shorter run.";
+export const noWorkers =
+  "This browser runs no workers from a file (a policy may forbid them). Open the file in another browser.";
 const lacking = 202; // the status of an answer that lacks results of helpers
 
 /** Who hears an answer. */
@@ -39,7 +43,7 @@ export class Pool {
   ) {}
 
   /** The answer, as `fetch` gives it. */
-  carry(path: string, init: RequestInit): Promise<Response> {
+  carry(path: string, init: RequestInit, recording?: Uint8Array<ArrayBuffer>): Promise<Response> {
     return new Promise((take, fail) => {
       let body: ReadableStreamDefaultController<Uint8Array> | null = null;
       const hearer: Hearer = {
@@ -54,7 +58,8 @@ export class Pool {
           fail(error);
         },
       };
-      const question = { path, body: typeof init.body === "string" ? init.body : "" };
+      const question: Question = { path, body: typeof init.body === "string" ? init.body : "" };
+      if (recording) question.recording = recording;
       const signal = init.signal ?? null;
       const helpers = this.most_ - 1; // one stays for what is asked meanwhile
       if (path === "/api/chart" && helpers > 1)
@@ -142,11 +147,11 @@ export class Pool {
     };
     const stop = (): void => lose(aborted());
     signal?.addEventListener("abort", stop);
-    worker.onerror = (event) => lose(new TypeError(event.message));
+    worker.onerror = (event) => lose(event.message ? new TypeError(event.message) : new Error(noWorkers));
     worker.onmessage = ({ data }: MessageEvent<Letter>) => {
       if (data.kind === "head") hearer.head(data.status, data.type);
       else if (data.kind === "part") hearer.part(data.bytes);
-      else if (data.kind === "failed") lose(new TypeError(data.why));
+      else if (data.kind === "failed") lose(data.lacksMemory ? new Error(noMemory) : new TypeError(data.why));
       else {
         hearer.end();
         leave(data.size <= mostMemory);

@@ -7,8 +7,10 @@ export interface OneFile {
   carry: Carrier;
   /** The bytes of the file with this case (TOML) in it. */
   saved(toml: string): Uint8Array<ArrayBuffer>;
-  /** Begins anew with a case (TOML); fails with what is wrong with it. */
-  open(toml: string): Promise<void>;
+  /** Begins anew with a case (TOML) and the files that it names, or hears recordings; fails with what is wrong. */
+  open(files: readonly File[]): Promise<void>;
+  /** The name of a recording that was opened; empty: there is none of this number. */
+  recording(number: number): string;
 }
 
 let inside: OneFile | null = null;

@@ -1,4 +1,5 @@
 /** Holds the state, tells who listens, and keeps the URL in step with it. */
+import * as place from "./place.ts";
 import { fromFragment, toFragment, type State } from "./state.ts";
 
 /** push: a step that "back" undoes; replace: no step of its own; drag: not yet in the URL. */
@@ -11,9 +12,9 @@ export class Store {
   private dragged_ = false;
 
   constructor(private readonly defaults_: State) {
-    this.current_ = fromFragment(location.hash, defaults_);
-    history.replaceState(null, "", this.link());
-    addEventListener("popstate", () => this.take_(fromFragment(location.hash, this.defaults_)));
+    this.current_ = fromFragment(place.fragment(), defaults_);
+    place.write(this.link(), "replace");
+    place.onVisit(() => this.take_(fromFragment(place.fragment(), this.defaults_)));
   }
 
   get state(): State {
@@ -37,9 +38,7 @@ export class Store {
     const before = this.current_;
     this.current_ = { ...before, ...change };
     this.dragged_ = step === "drag";
-    const link = this.link();
-    if (step === "push" && link !== location.hash) history.pushState(null, "", link);
-    if (step === "replace") history.replaceState(null, "", link);
+    if (step !== "drag") place.write(this.link(), step);
     for (const listener of this.listeners_) listener(this.current_, before, step);
   }
 

@@ -1,6 +1,7 @@
 /** Hear the cell, and beside it another cell that was kept, or a recording of the library. */
 import * as api from "../data/api.ts";
 import type { LibraryEntry } from "../data/answer_types.ts";
+import { oneFile } from "../data/carrier.ts";
 import type { Start } from "../data/types.ts";
 import { button, h, select, setOptions, setText } from "../draw/dom.ts";
 import { quantity, symbolText } from "../draw/format.ts";
@@ -96,7 +97,8 @@ export class Listen implements ViewPart {
       this.b_.clear();
     } else if ("library" in other) {
       const entry = this.entries_?.find(({ id }) => id === other.library);
-      this.b_.show(`B: recording ${other.library}${entry ? ` (${describe(entry)})` : ""}`, { library: other.library });
+      const known = oneFile()?.recording(other.library) || (entry && describe(entry));
+      this.b_.show(`B: recording ${other.library}${known ? ` (${known})` : ""}`, { library: other.library });
     } else {
       this.b_.show(`B: ${this.nameOf_(other.design, null)}`, { design: other.design, options: this.picker_.options });
     }

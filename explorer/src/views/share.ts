@@ -8,6 +8,7 @@ import { categoryAndQuiet, light } from "../draw/colours.ts";
 import { button, download, h, setText } from "../draw/dom.ts";
 import { plotBox } from "../draw/map.ts";
 import type { Surface } from "../draw/surface.ts";
+import { hasAddress, visit } from "../state/place.ts";
 import { command, longestFragment, toFragment, type Axis, type Design } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
 import type { Chart } from "./chart.ts";
@@ -21,7 +22,12 @@ export class Share {
     spellcheck: "false",
     placeholder: "http://…/#preset=…",
   });
-  private readonly file_ = h("input", { type: "file", id: "open-case", accept: ".toml" });
+  private readonly file_ = h("input", {
+    type: "file",
+    id: "open-case",
+    multiple: true,
+    title: "With the files that it names",
+  });
   private readonly note_ = h("p", { class: "note", role: "status", id: "share-note" });
 
   constructor(
@@ -34,12 +40,16 @@ export class Share {
     this.element = h(
       "div",
       {},
-      entry(
-        "Copy link",
-        "copy-link",
-        "All of the page, with every number of the case; it opens on any machine with Stridor",
-        () => this.link_(),
-      ),
+      ...(hasAddress
+        ? [
+            entry(
+              "Copy link",
+              "copy-link",
+              "All of the page, with every number of the case; it opens on any machine with Stridor",
+              () => this.link_(),
+            ),
+          ]
+        : []),
       entry("Copy as command", "copy-command", "It simulates this design", async () =>
         this.copy_(await this.command_(), "command"),
       ),
@@ -56,7 +66,7 @@ export class Share {
             entry("Save this page", "save-page", "This file with the design in it; it opens anywhere", () =>
               this.page_(),
             ),
-            h("label", { class: "paste" }, "Open a case", this.file_),
+            ...(hasAddress ? [h("label", { class: "paste" }, "Open a case or recording", this.file_)] : []),
             h("p", { class: "note" }, "Reports, noise libraries and PDF need the program."),
           ]
         : [entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_())]),
@@ -87,14 +97,13 @@ export class Share {
     const fragment = link.slice(link.indexOf("#"));
     if (!/^#(.*&)?preset=/.test(fragment)) throw Error("This is no link that the page made.");
     if (fragment.length > longestFragment) throw Error("This link is too long.");
-    location.hash = fragment;
+    visit(fragment);
     this.paste_.value = "";
     return "";
   }
 
   private async openFile_(): Promise<string> {
-    const file = this.file_.files?.[0];
-    if (file) await oneFile()?.open(await file.text());
+    await oneFile()?.open([...(this.file_.files ?? [])]);
     return "";
   }
 

@@ -1,12 +1,13 @@
 // Each kind of answer by the native program and by the core in WebAssembly: the same bytes, but for the commit.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { program, startExplorer } from "../browser/session.mjs";
+import { program } from "../browser/session.mjs";
 import { startCore } from "./core.mjs";
+import { compare, startServed } from "./served.mjs";
 
 const ready = ["weatherstrip", "two-lips", "chain", "string"];
 let folder;
@@ -17,53 +18,12 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-async function startServed(options) {
-  const explorer = await startExplorer(options);
-  const opened = await fetch(explorer.link(), { redirect: "manual" });
-  const headers = {
-    "Cookie": opened.headers.get("set-cookie").split(";")[0],
-    "Origin": explorer.origin,
-    "Content-Type": "application/json",
-  };
-  return {
-    async ask(path, body) {
-      const response = await fetch(explorer.origin + path, { headers, method: "POST", body: JSON.stringify(body) });
-      return { status: response.status, bytes: Buffer.from(await response.arrayBuffer()) };
-    },
-    stop: () => explorer.stop(),
-  };
-}
-
 const axis = (parameter, from, to) => ({ parameter, from, to, points: 5, scale: "linear" });
 const chart = {
   x: axis("contact.preload", 2, 60),
   y: axis("contact.kinetic_friction", 0.1, 0.7),
   refine: 1,
 };
-
-/** Of a chart the last line: how often it was looked at before depends on the clock. */
-function comparable(path, bytes) {
-  const text = bytes.toString("latin1").replace(/"commit": *"[^"]*"/g, "");
-  // of shares of modes the last digit differs, and nobody knows why: KNOWN_ISSUES.md
-  if (path === "/api/modal") return text.replace(/\d+\.\d+(e-?\d+)?/g, (number) => Number(number).toPrecision(13));
-  if (path !== "/api/chart") return text;
-  return text
-    .trim()
-    .split("\n")
-    .at(-1)
-    .replace(/"round":\d+/, "");
-}
-
-async function compare(served, core, path, body) {
-  const native = await served.ask(path, body);
-  const inside = core.ask(path, body);
-  assert.equal(inside.status, native.status, `${path} ${JSON.stringify(body)}: ${inside.bytes.subarray(0, 300)}`);
-  const [one, other] = [native, inside].map(({ bytes }) => comparable(path, bytes));
-  if (one === other) return;
-  const at = [...one].findIndex((letter, k) => letter !== other[k]);
-  const near = (text) => JSON.stringify(text.slice(Math.max(0, at - 60), at + 60));
-  assert.fail(`${path} of ${body.preset} differs at byte ${at}: native ${near(one)}, core ${near(other)}`);
-}
 
 const questions = {
   "/api/simulate": {},
@@ -100,6 +60,60 @@ test("every answer on other kinds of cases has the same bytes", async (t) => {
       await compare(served, core, path, { preset: "file", set: [] });
   }
 });
+
+/** Cases that lean on other files, by what they lean on. */
+const leaning = {
+  "the samples of a drive": {
+    toml: () =>
+      execFileSync(program, ["init", "squeal"], { encoding: "utf8" }).replace(
+        /\[drive\][^[]*/,
+        '[drive]\nkind = "sampled"\nfile = "folder/speed.csv"\n\n',
+      ),
+    files: { "speed.csv": "time [s],velocity [m/s]\n0,0\n0.5,0.2\n1.5,-0.1\n5,0.1\n" },
+  },
+  "matrices and a table of contacts": {
+    toml: () => `[structure]
+stiffness = "k.csv"
+mass = "folder/m.csv"
+damping_ratio = "1 %"
+contacts = "contacts.csv"
+[contact]
+preload = "5 N"
+static_friction = 0.8
+kinetic_friction = 0.3
+[drive]
+kind = "constant"
+velocity = "20 mm/s"
+`,
+    files: {
+      "k.csv": "1e5,-4e4\n-4e4,2e5\n",
+      "m.csv": "0.1,0\n0,0.1\n",
+      "contacts.csv": "name,normal,tangent\nfoot,2,1\n",
+    },
+  },
+};
+
+for (const [what, { toml, files }] of Object.entries(leaning))
+  test(`a case that leans on ${what} is opened with it, and has the same answers`, async (t) => {
+    const file = join(folder, "leaning.toml");
+    await writeFile(file, toml());
+    await mkdir(join(folder, "folder"), { recursive: true });
+    for (const [name, text] of Object.entries(files))
+      for (const place of [folder, join(folder, "folder")]) await writeFile(join(place, name), text);
+    const [served, core] = [await startServed([file]), await startCore()];
+    t.after(() => served.stop());
+    const [first] = Object.keys(files);
+    const lacking = core.open(toml(), Object.fromEntries(Object.entries(files).slice(1)));
+    assert.equal(lacking.status, 400);
+    assert.match(lacking.bytes.toString(), new RegExp(`${first}.*is not here`));
+    assert.match(lacking.bytes.toString(), /Choose it together with the case/);
+    const opened = core.open(toml(), files);
+    assert.equal(opened.status, 200, opened.bytes.toString());
+    for (const path of ["/api/simulate", "/api/motion", "/api/toml"])
+      await compare(served, core, path, { preset: "file", set: [] });
+    // and without it once it is read: a slider moves
+    await compare(served, core, "/api/simulate", { preset: "file", set: ["contact.preload=31"] });
+  });
 
 test("a wrong question is refused in the same words", async (t) => {
   const [served, core] = [await startServed([]), await startCore()];

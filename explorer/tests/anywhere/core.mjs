@@ -19,15 +19,18 @@ export async function startCore() {
   const url = `data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`;
   const { Core } = await import(url);
   const core = new Core(await WebAssembly.compile(await readFile(join(built, "core.wasm"))));
+  const heard = (asking) => {
+    const parts = [];
+    let status = 0;
+    asking({ head: (head) => (status = head.status), part: (bytes) => parts.push(bytes) });
+    return { status, bytes: Buffer.concat(parts) };
+  };
   return {
-    ask(path, body) {
-      const parts = [];
-      let status = 0;
-      core.ask(path, typeof body === "string" ? body : JSON.stringify(body), {
-        head: (head) => (status = head.status),
-        part: (bytes) => parts.push(bytes),
-      });
-      return { status, bytes: Buffer.concat(parts) };
+    ask: (path, body) => heard((told) => core.ask(path, typeof body === "string" ? body : JSON.stringify(body), told)),
+    /** Opens a case (TOML) with files beside it: bytes by name. */
+    open(toml, files = {}) {
+      const held = Object.entries(files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]);
+      return heard((told) => core.open(JSON.stringify({ toml, files: Object.fromEntries(held) }), told));
     },
     size: () => core.size,
   };

@@ -37,23 +37,6 @@ io::CaseReaders readers_of(const Preset& preset) {
             }};
 }
 
-io::CaseReaders readers_of_page() {
-    const auto refusal = [](const std::string& what, const std::string& suggestion) {
-        return Error(ErrorKind::input, {what, "the page in one file holds a case without other files", suggestion});
-    };
-    io::CaseReaders readers = io::readers_without_files();
-    readers.samples = [=](const std::string& path) -> recordings::SampledMotion {
-        throw refusal("the drive is sampled in \"" + path + "\"", "Open this case with `stridor explore`.");
-    };
-    readers.friction = [=](const std::string& path) -> recordings::SampledFriction {
-        throw refusal("the table of friction is \"" + path + "\"", "Write its rows into the case.");
-    };
-    readers.pair = [=](const std::string& pair, const std::string&) -> parameters::MaterialPair {
-        throw refusal("the pair \"" + pair + "\" stands in another file", "Write its rows into the case.");
-    };
-    return readers;
-}
-
 std::vector<Preset> paper_presets() {
     std::vector<Preset> presets;
     for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k)

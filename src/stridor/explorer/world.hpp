@@ -39,9 +39,6 @@ io::TomlSource source_of(const Preset& preset);
 /// open files. A structure from a builder is built anew, from numbers that a request may vary.
 io::CaseReaders readers_of(const Preset& preset);
 
-/// Returns readers for a case that stands alone in a page: they refuse each file that it names.
-io::CaseReaders readers_of_page();
-
 /// Returns the four cases of Table 1.
 std::vector<Preset> paper_presets();
 

@@ -76,7 +76,9 @@ test("a worker that has taken much memory is ended after its answer", async () =
 });
 
 test("a worker that fails fails its question alone", async () => {
-  const { make } = fakes(({ path }) => (path === "/bad" ? [{ kind: "failed", why: "unreachable" }] : [head(), end()]));
+  const { make } = fakes(({ path }) =>
+    path === "/bad" ? [{ kind: "failed", why: "unreachable", lacksMemory: false }] : [head(), end()],
+  );
   const pool = new Pool(make, begin, 2);
   await assert.rejects(pool.carry("/bad", {}), { name: "TypeError", message: "unreachable" });
   assert.equal((await pool.carry("/good", {})).status, 200);
@@ -107,4 +109,11 @@ test("a refused chart is refused with its status", async () => {
   const response = await new Pool(make, begin, 8).carry("/api/chart", { body: "{}" });
   assert.equal(response.status, 400);
   assert.equal(await response.text(), "no");
+});
+
+test("a worker without memory, and a browser without workers, are told in words", async () => {
+  const { make } = fakes(() => [{ kind: "failed", why: "Out of memory", lacksMemory: true }]);
+  await assert.rejects(new Pool(make, begin, 1).carry("/api/motion", {}), { name: "Error", message: /no more memory/ });
+  const silent = fakes((_letter, worker) => (queueMicrotask(() => worker.onerror({})), []));
+  await assert.rejects(new Pool(silent.make, begin, 1).carry("/api/motion", {}), { message: /runs no workers/ });
 });
