@@ -1,6 +1,7 @@
 // Files in a page: those that were chosen together with a case. Whoever asks for another is told so.
 
 #include "page_files.hpp"
+
 #include "stridor/base/error.hpp"
 #include "stridor/io/structure/numpy_matrix.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"

@@ -24,6 +24,7 @@ from ._evaluate import evaluate, words
 from ._ends import EndState, Following, end_state, follow, read_end_state
 from ._explorer import Explorer, explore
 from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
+from ._page import Page, page
 from ._sounds import Hearing, Library, Recording, Sound, library, listen, read_sound
 from ._strokes import StrokeHistory, strokes
 from ._structure import structure
@@ -34,9 +35,9 @@ __version__: str = _stridor.version
 
 __all__ = [
     "Advice", "Axis", "Boundary", "Case", "Chart", "ChartAxis", "EndState", "Error", "Explorer", "FileError",
-    "Following", "Hearing", "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase",
-    "PhaseVerdict", "Place", "Recording", "Sound", "Stability", "StabilityDirection", "StrokeHistory", "Table",
+    "Following", "Hearing", "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Page",
+    "Phase", "PhaseVerdict", "Place", "Recording", "Sound", "Stability", "StabilityDirection", "StrokeHistory", "Table",
     "advise", "axis", "case", "case_names", "chart", "end_state", "errors", "evaluate", "explore", "follow",
-    "from_toml", "library", "listen", "open_chart", "read", "read_end_state", "read_sound", "simulate", "stability",
-    "strokes", "structure", "table", "words",
+    "from_toml", "library", "listen", "open_chart", "page", "read", "read_end_state", "read_sound", "simulate",
+    "stability", "strokes", "structure", "table", "words",
 ]

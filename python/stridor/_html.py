@@ -34,3 +34,16 @@ def badge(category: str) -> str:
 def folding(summary: str, body: str, state: str = "") -> str:
     """A body that opens under its summary; `state` may be "open"."""
     return f"<details {state}><summary>{summary}</summary>{body}</details>"
+
+
+# the letters of windows-1252 as browsers read it; Python leaves five bytes out
+_letters = "".join(bytes([byte]).decode("cp1252" if byte not in (0x81, 0x8D, 0x8F, 0x90, 0x9D) else "latin-1")
+                   for byte in range(256))
+
+
+def frame(page: bytes, height: int, title: str) -> str:
+    """A frame that holds a whole page in windows-1252, as the page in one file is; it asks nobody for it."""
+    text = page.decode("latin-1").translate(dict(enumerate(_letters)))
+    text = text.replace("&", "&amp;").replace('"', "&quot;")
+    return (f'<iframe srcdoc="{text}" width="100%" height="{height}" style="border:0" '
+            f'allow="autoplay; clipboard-write" title="{escaped(title)}"></iframe>')

@@ -148,4 +148,48 @@ TEST_F(Report, IsPrintedWhereABrowserIsThere) {
     EXPECT_LE(page_count(bytes), 4U) << "page one, pictures, figures, the case";
 }
 
+// a program with a page beside it, which is short
+class LiveReport : public Report {
+protected:
+    void SetUp() override {
+        Report::SetUp();
+        std::filesystem::create_directories(folder_ / "bin/page");
+        std::error_code other_disk;
+        std::filesystem::create_hard_link(stridor::support::program(), folder_ / "bin/stridor", other_disk);
+        if (other_disk) std::filesystem::copy_file(stridor::support::program(), folder_ / "bin/stridor");
+    }
+
+    Finished live(std::vector<std::string> more) const {
+        Launch launch;
+        launch.arguments = {"report", "squeal.toml", "--live", "--no-chart", "--no-advice"};
+        launch.folder = folder_.path();
+        launch.arguments.insert(launch.arguments.end(), more.begin(), more.end());
+        launch.program = folder_ / "bin/stridor";
+        return run(launch);
+    }
+};
+
+TEST_F(LiveReport, HoldsThePageWithItsCase) {
+    write_text(folder_ / "bin/page/page.html",
+               "<meta content=\"script-src 'sha256-x=' 'wasm-unsafe-eval'; style-src y\">"
+               "<script type=\"application/json\" id=\"stridor-case\">null</script>\xE9");
+    const Finished done = live({"--set", "contact.preload=17", "-o", "report.html"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const std::string text = read_text(folder_ / "report.html");
+    for (const char* part : {"preload = 17", "</script>\xE9\"></iframe>", "<meta charset=\"windows-1252\">",
+                             "script-src 'sha256-x=' 'wasm-unsafe-eval'; worker-src blob:;", "--no-advice --live -o"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+TEST_F(LiveReport, IsRefusedOnPaperAndWithoutAPageBeforeTheWorkBegins) {
+    const Finished paper = live({"-o", "report.pdf"});
+    EXPECT_EQ(paper.exit_code, 2);
+    EXPECT_NE(paper.err.find("a PDF cannot be live"), std::string::npos) << paper.err;
+    const Finished without = live({"-o", "report.html"});
+    EXPECT_EQ(without.exit_code, 5);
+    EXPECT_NE(without.err.find("this stridor has no page in one file"), std::string::npos) << without.err;
+    EXPECT_NE(without.err.find("./dev page"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
+}
+
 }  // namespace

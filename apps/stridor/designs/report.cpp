@@ -7,6 +7,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/explorer/page_file.hpp"
 #include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
@@ -39,6 +40,7 @@ struct ReportOptions {
     int threads = 0;
     bool has_chart = true;
     bool has_advice = true;
+    bool is_live = false;
 };
 
 // how far a part is, for who looks on; a log needs no lines of it, since no part takes long
@@ -70,6 +72,7 @@ std::string command_of(const ReportOptions& options, const std::string& output) 
     if (options.longest != ReportOptions{}.longest) text += " --longest " + base::shell_word(options.longest);
     if (!options.has_chart) text += " --no-chart";
     if (!options.has_advice) text += " --no-advice";
+    if (options.is_live) text += " --live";
     return text + " -o " + base::shell_word(output);
 }
 
@@ -133,11 +136,20 @@ std::string document_text(const io::TomlSource& source, const char* key, const s
     return entry == nullptr ? asked : std::get<std::string>(entry->value);
 }
 
+// before the work begins: a program may have no page
+std::string live_page(const io::TomlSource& source) {
+    return explorer::page_with_case(explorer::one_file_page(std::filesystem::read_symlink("/proc/self/exe")),
+                                    explorer::standing_alone(source));
+}
+
 void make_report(const ReportOptions& options) {
     const std::string output = output_of(options);
     const bool is_pdf = output.ends_with(".pdf");
+    if (is_pdf && options.is_live)
+        throw Error(ErrorKind::input, {"a PDF cannot be live", "paper runs no script", "Write FILE.html."});
     if (is_pdf) report::expect_printer();
     const io::TomlSource source = io::load_toml(options.input.file, options.input.overrides);
+    const std::string live = options.is_live ? live_page(source) : "";
     const parameters::Case c = io::read_case(source);
     const std::string date = report::report_date();
     report::DesignResults results = results_of(source, c, options);
@@ -146,7 +158,9 @@ void make_report(const ReportOptions& options) {
     results.author = document_text(source, "document.author", options.author);
     results.part = document_text(source, "document.part", options.part);
     results.command = command_of(options, output);
-    const std::string page = report::html(report::design_report(results));
+    report::Report written = report::design_report(results);
+    written.live = live;
+    const std::string page = report::html(written);
     PartDisplay display("pages:");
     const std::string bytes = is_pdf ? report::printed_pdf(page) : page;
     display.clear();
@@ -188,13 +202,14 @@ void add_report(CLI::App& program) {
     command->add_flag("!--no-chart", options->has_chart, "leave the chart out");
     command->add_flag("!--no-advice", options->has_advice,
                       "leave out what to change, whose search takes most of the time");
+    command->add_flag("--live", options->is_live,
+                      "with sliders and a chart in it that a reader can move (`stridor page`); 1.6 MB more");
     add_runs_options(*command, options->runs);
     add_threads_option(*command, options->threads);
     command->footer(
         "The page has the verdict with its margin both ways, a chart around the design and what to change; sounds, "
-        "pictures, figures and the case follow. It needs nothing else: no script, no other file, no network. A PDF is "
-        "printed by a browser or "
-        "wkhtmltopdf. Its date is today's, or that of SOURCE_DATE_EPOCH.\n"
+        "pictures, figures and the case follow. It needs nothing else: no script (but for --live), no other file, no "
+        "network. A PDF is printed by a browser or wkhtmltopdf. Its date is today's, or that of SOURCE_DATE_EPOCH.\n"
         "Examples:\n  stridor report squeal.toml -o report.html\n  stridor report squeal.toml --author \"M. Weber\" "
         "--part 51.3372-2 -o report.pdf\n"
         "  stridor report wiper.toml --x velocity=0.05:0.5 --y mu_d=0.2:1.2 -o wiper.html");

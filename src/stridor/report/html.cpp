@@ -13,6 +13,8 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace stridor::report {
 
@@ -66,7 +68,11 @@ pre { overflow-x: auto; margin: .8rem 0; padding: .8rem 1rem; background: var(--
 .file pre { max-height: 26rem; overflow-y: auto; }
 .sound { margin: .8rem 0; }
 .sound audio { display: block; width: 100%; max-width: 30rem; margin: .3rem 0; }
+.live iframe { display: block; width: 100%; height: 56rem; max-height: 92vh; border: 1px solid var(--line);
+  border-radius: 6px; }
+.live summary { cursor: pointer; font-size: 1.2rem; font-weight: 650; margin: 1.5rem 0 .6rem; }
 footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0 1.5rem; }
+@media (scripting: none) { .live { display: none; } }
 @media (max-width: 44rem) {
   body { margin-top: 1.25rem; padding: 0 .9rem; }
   .overview { grid-template-columns: minmax(0, 1fr); gap: 1rem; }
@@ -102,7 +108,7 @@ footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0
   pre, .file pre { max-height: none; overflow: visible; white-space: pre-wrap; font-size: 7pt; line-height: 1.28;
     padding: .4rem .6rem; }
   .sheet { break-after: page; }
-  audio, .save { display: none !important; }
+  audio, .save, .live { display: none !important; }
   .heard::after { content: " (To be played in the HTML file.)"; }
 }
 )css";
@@ -191,6 +197,51 @@ std::string overview(const Report& report) {
     return text + "</div>\n";
 }
 
+// Read when it is opened; without scripts it is not shown. Its letters are the page's bytes.
+std::string live(std::string_view page) {
+    std::string text =
+        "<details class=\"live\"><summary>Try it: change the design</summary>\n<p>The program is inside: move a slider "
+        "and "
+        "see the verdict and the chart. Nothing leaves this machine.</p>\n<iframe loading=\"lazy\" title=\"The design, "
+        "live\" allow=\"autoplay; clipboard-write\" srcdoc=\"";
+    for (const char letter : page) {
+        if (letter == '&')
+            text += "&amp;";
+        else if (letter == '"')
+            text += "&quot;";
+        else
+            text += letter;
+    }
+    return text + "\"></iframe></details>\n";
+}
+
+// what the page's own policy allows it to run; the frame is under the report's policy as well
+std::string scripts_of(std::string_view page) {
+    constexpr std::string_view begin = "script-src ";
+    const std::size_t at = page.find(begin);
+    const std::size_t end = page.find(';', at);
+    if (at == page.npos || end == page.npos)
+        throw Error(ErrorKind::io, {"the page in one file is damaged", "it has no policy on its scripts", ""});
+    return std::string(page.substr(at, end - at)) + "; worker-src blob:; ";
+}
+
+// letters beyond ASCII as HTML writes them, whatever the file's encoding
+std::string in_ascii(std::string_view text) {
+    std::string ascii;
+    for (std::size_t k = 0; k < text.size();) {
+        const auto first = static_cast<unsigned char>(text[k++]);
+        if (first < 0x80) {
+            ascii += static_cast<char>(first);
+            continue;
+        }
+        unsigned code = first >= 0xf0 ? first & 0x07u : first >= 0xe0 ? first & 0x0fu : first & 0x1fu;
+        for (; k < text.size() && (static_cast<unsigned char>(text[k]) & 0xc0u) == 0x80u; ++k)
+            code = code << 6 | (static_cast<unsigned char>(text[k]) & 0x3fu);
+        ascii += "&#" + std::to_string(code) + ";";
+    }
+    return ascii;
+}
+
 constexpr std::array<std::string_view, 6> browsers{
     "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge", "brave-browser"};
 constexpr std::string_view converter = "wkhtmltopdf";
@@ -225,22 +276,28 @@ std::vector<std::string> command_for(const std::string& printer, const std::file
 }  // namespace
 
 std::string html(const Report& report) {
+    const bool is_live = !report.live.empty();
     // the policy keeps the file from ever loading anything, whatever a title holds
-    std::string text =
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src "
-        "data:; media-src data:\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        markup_text(report.title) + "</title>\n<style>" + std::string(style) +
-        "</style></head><body>\n<div class=\"sheet\">";
+    std::string text = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"" +
+                       std::string(is_live ? "windows-1252" : "utf-8") +
+                       "\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+                       "'unsafe-inline'; " +
+                       (is_live ? scripts_of(report.live) + "img-src data: blob:; media-src data: blob:"
+                                : std::string("img-src data:; media-src data:")) +
+                       "\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+                       markup_text(report.title) + "</title>\n<style>" + std::string(style) +
+                       "</style></head><body>\n<div class=\"sheet\">";
     text += top(report) + badges(report) + overview(report);
     for (const Section& section : report.first)
         text += html(section);
     if (!report.foot.empty()) text += "<footer>" + markup_text(report.foot) + "</footer>\n";
     text += "</div>\n";
+    std::string rest;
     for (const Section& section : report.sections)
-        text += html(section);
-    return text + "</body></html>\n";
+        rest += html(section);
+    rest += "</body></html>\n";
+    return is_live ? in_ascii(text) + live(report.live) + in_ascii(rest) : text + rest;
 }
 
 void expect_printer() {

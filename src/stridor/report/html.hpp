@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-/// A report as one HTML file that needs no other file: no script, no picture beside it, no address to load from.
+/// A report as one HTML file that needs no other file: no picture beside it, no address to load from; and no script but
+/// those of a page within it.
 namespace stridor::report {
 
 /// A table; every row has as many cells as there are columns.
@@ -66,10 +67,13 @@ struct Report {
     std::string sketch_caption{};
     std::vector<Section> first{};
     std::string foot{};  // of the first sheet
+    std::string live{};  // a page in one file on the design, as `stridor page` writes it; empty: none
     std::vector<Section> sections{};
 };
 
-/// Returns the whole file.
+/// Returns the whole file. With a page within it the file is in windows-1252, as the page is.
+///
+/// Throws `Error` (io) if the page has no policy on its scripts.
 std::string html(const Report& report);
 
 /// Returns an HTML page printed on A4, as the bytes of a PDF file, by a browser or wkhtmltopdf from PATH.
