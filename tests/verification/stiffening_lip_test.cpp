@@ -3,6 +3,7 @@
 
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/chart/toml_study.hpp"
@@ -101,6 +102,23 @@ TEST(StiffeningLip, SquealsInTheBandAlone) {
         c.own_structure = own;
         EXPECT_GT(analysis::sliding_stability(model::structure_of(c), Direction::going).growth, 0.0) << linear;
     }
+}
+
+TEST(StiffeningLip, GoesOnFromItsEndBitForBit) {
+    Case whole = pressed_lip(6.0);
+    whole.run.early_ending = parameters::EarlyEnding::never;
+    whole.run.duration = 0.4;
+    whole.run.window = 0.2;
+    Case half = whole;
+    half.run.duration = 0.2;
+    const record::Request request{record::KeepHistory::yes, {0.0, whole.run.duration, 1e-4}};
+    const record::Trace told = integration::simulate(whole, request).record.trace;
+    const record::Trace later = integration::go_on(whole, integration::run_to_end(half).state, request).record.trace;
+    ASSERT_GT(later.time.size(), 1000U);
+    const std::size_t before = told.time.size() - later.time.size();
+    for (std::size_t k = 0; k < later.time.size(); ++k)
+        for (std::size_t row = 0; row < 3; ++row)
+            ASSERT_EQ(later.displacement[row][k], told.displacement[row][before + k]) << later.time[k];
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ void fit_friction(const FrictionOptions& options) {
     texts.temperature = options.pair.temperature;
     const io::FittedFriction fitted = io::fitted_friction(texts, console::say_note);
     const std::size_t law = options.fit == "best" ? fitted.fit.best : analysis::law_called(fitted.fit, options.fit);
-    if (!options.figure.empty() && fitted.over)
-        base::refuse("a figure of a fit has one temperature", "each has curves of its own",
-                     "Fit the files of one, or leave --figure out.");
-    if (!options.figure.empty()) pictures::draw(pictures::friction_fit(fitted.fit, law), options.figure, options.sheet);
+    if (!options.figure.empty())
+        pictures::draw(fitted.over ? pictures::friction_over_conditions(*fitted.over, law)
+                                   : pictures::friction_fit(fitted.fit, law),
+                       options.figure, options.sheet);
     if (!options.into.empty()) {
         console::print_data(io::case_with_law(io::read_case(load_source(options.into)), fitted, law));
         console::say(fitted.over ? analysis::words_of(*fitted.over) : analysis::words_of(fitted.fit));

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,18 +23,19 @@ constexpr std::size_t most_drawn_slips = 24;
 constexpr double same_drive = 0.02;       // [1] velocities that differ less are one
 constexpr double log_speeds_from = 20.0;  // ratio of the ends from which the axis is logarithmic
 
-drawing::Points fit_points() {
-    return {{}, {}, drawing::quiet_ink, 2.4, std::nullopt, drawing::Mark::disc};
+drawing::Points fit_points(drawing::Colour colour = drawing::quiet_ink) {
+    return {{}, {}, colour, 2.4, std::nullopt, drawing::Mark::disc};
 }
 
-drawing::PanelAxis speed_axis(const analysis::FrictionFit& fit) {
+drawing::PanelAxis speed_axis(std::span<const analysis::FrictionFit> fits) {
     drawing::PanelAxis axis;
     double low = 0.0, high = 0.0;
-    for (const analysis::FrictionPoint& point : fit.data.points) {
-        const double speed = analysis::mean_speed(point);
-        high = std::max(high, speed);
-        if (speed > 0.0) low = low == 0.0 ? speed : std::min(low, speed);
-    }
+    for (const analysis::FrictionFit& fit : fits)
+        for (const analysis::FrictionPoint& point : fit.data.points) {
+            const double speed = analysis::mean_speed(point);
+            high = std::max(high, speed);
+            if (speed > 0.0) low = low == 0.0 ? speed : std::min(low, speed);
+        }
     axis.label = drawing::StyledText("speed of slip ") + drawing::symbol("|w|");
     axis.unit = "m/s";
     axis.range = {0.0, 1.05 * high};
@@ -65,12 +67,65 @@ drawing::Extent with_air(const std::vector<double>& values) {
     return {*low - air, *high + air};
 }
 
-void add_points(drawing::Panel& panel, const analysis::FrictionFit& fit, const std::vector<double>& values) {
-    drawing::Points points = fit_points();
-    for (const analysis::FrictionPoint& point : fit.data.points)
+// friction over the speed of slip, and below what a law leaves of it
+struct SpeedPanels {
+    drawing::Panel above, below;
+    std::vector<double> shown, left;  // [1]
+    drawing::Scene scene;
+};
+
+SpeedPanels speed_panels(std::span<const analysis::FrictionFit> fits) {
+    if (std::all_of(fits.begin(), fits.end(), [](const auto& fit) { return fit.data.points.empty(); }))
+        base::refuse("there is nothing to draw", "the runs show no friction over the speed of slip",
+                     "Measure while it slides steadily, or leave --figure out.");
+    SpeedPanels panels;
+    panels.above.x = panels.below.x = speed_axis(fits);
+    panels.above.x.text = drawing::AxisText::hidden;
+    panels.above.grid = panels.below.grid = drawing::Grid::both;
+    panels.below.row = 1;
+    panels.above.y.label = drawing::StyledText("friction ") + drawing::symbol("T") + " / " + drawing::symbol("N");
+    panels.below.y.label = "left over";
+    panels.above.y.unit = panels.below.y.unit = "1";
+    return panels;
+}
+
+void add_points(SpeedPanels& panels, const analysis::FrictionFit& fit, const std::vector<double>& residuals,
+                drawing::Colour colour) {
+    drawing::Points points = fit_points(colour), left = fit_points(colour);
+    for (const analysis::FrictionPoint& point : fit.data.points) {
         points.x.push_back(analysis::mean_speed(point));
-    points.y = values;
-    panel.layers.emplace_back(std::move(points));
+        points.y.push_back(point.friction);
+    }
+    left.x = points.x;
+    left.y = residuals;
+    panels.shown.insert(panels.shown.end(), points.y.begin(), points.y.end());
+    panels.left.insert(panels.left.end(), left.y.begin(), left.y.end());
+    panels.above.layers.emplace_back(std::move(points));
+    panels.below.layers.emplace_back(std::move(left));
+}
+
+void add_curve(SpeedPanels& panels, const analysis::FittedLaw& law, const std::string& name, drawing::Stroke stroke) {
+    drawing::Line line = curve_of(law, panels.above.x, stroke);
+    panels.shown.insert(panels.shown.end(), line.y.begin(), line.y.end());
+    panels.above.layers.emplace_back(std::move(line));
+    panels.scene.legend.push_back({name, stroke});
+}
+
+drawing::Scene finished(SpeedPanels panels, drawing::Colour of_points, const std::string& title,
+                        const std::string& words) {
+    panels.above.y.range = with_air(panels.shown);
+    panels.below.y.range = with_air(panels.left);
+    panels.below.layers.emplace_back(
+        drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::accent, 0.8, drawing::Dash::solid}});
+    drawing::Scene& scene = panels.scene;
+    scene.legend.push_back({"mean of a block", fit_points(of_points)});
+    scene.title = title;
+    scene.caption = {drawing::StyledText(words)};
+    scene.panels = {std::move(panels.above), std::move(panels.below)};
+    scene.row_heights = {1.0, 0.5};
+    scene.width = 120.0;
+    scene.height = 110.0;
+    return std::move(scene);
 }
 
 // the samples of a slip over the time from its release on [ms], over the force at which it let go
@@ -198,45 +253,28 @@ drawing::Scene slip_scene(const analysis::FrictionFit& fit, std::size_t law) {
 
 drawing::Scene friction_fit(const analysis::FrictionFit& fit, std::size_t law) {
     if (fit.data.points.empty() && fit.slips > 0) return slip_scene(fit, law);
-    if (fit.data.points.empty())
-        base::refuse("there is nothing to draw", "the runs show no friction over the speed of slip",
-                     "Measure while it slides steadily, or leave --figure out.");
-    drawing::Panel above, below;
-    above.x = below.x = speed_axis(fit);
-    above.x.text = drawing::AxisText::hidden;
-    above.grid = below.grid = drawing::Grid::both;
-    below.row = 1;
-    above.y.label = drawing::StyledText("friction ") + drawing::symbol("T") + " / " + drawing::symbol("N");
-    below.y.label = "left over";
-    above.y.unit = below.y.unit = "1";
-    std::vector<double> friction;
-    for (const analysis::FrictionPoint& point : fit.data.points)
-        friction.push_back(point.friction);
-    add_points(above, fit, friction);
-    add_points(below, fit, fit.laws[law].residuals);
-    below.y.range = with_air(fit.laws[law].residuals);
-
-    drawing::Scene scene;
-    std::vector<double> shown = friction;
-    const auto add_curve = [&](std::size_t which, drawing::Stroke stroke) {
-        drawing::Line line = curve_of(fit.laws[which], above.x, stroke);
-        shown.insert(shown.end(), line.y.begin(), line.y.end());
-        above.layers.emplace_back(std::move(line));
-        scene.legend.push_back({std::string(analysis::fitted_names[fit.laws[which].kind]), stroke});
-    };
+    SpeedPanels panels = speed_panels({&fit, 1});
+    add_points(panels, fit, fit.laws[law].residuals, drawing::quiet_ink);
     for (const std::size_t drawn : drawn_laws(fit, law))
-        add_curve(drawn, stroke_of(drawn, law));
-    above.y.range = with_air(shown);
-    below.layers.emplace_back(
-        drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::accent, 0.8, drawing::Dash::solid}});
-    scene.legend.push_back({"mean of a block", fit_points()});
-    scene.title = "Friction over the speed of slip";
-    scene.caption = {drawing::StyledText(analysis::words_of(fit))};
-    scene.panels = {std::move(above), std::move(below)};
-    scene.row_heights = {1.0, 0.5};
-    scene.width = 120.0;
-    scene.height = 110.0;
-    return scene;
+        add_curve(panels, fit.laws[drawn], std::string(analysis::fitted_names[fit.laws[drawn].kind]),
+                  stroke_of(drawn, law));
+    return finished(std::move(panels), drawing::quiet_ink, "Friction over the speed of slip", analysis::words_of(fit));
+}
+
+drawing::Scene friction_over_conditions(const analysis::FrictionOverConditions& over, std::size_t law) {
+    const std::vector<analysis::FrictionFit>& fits = over.fits[over.exponents[law]];
+    SpeedPanels panels = speed_panels(fits);
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+        // the yellow end of the map is no line on white
+        const double share = fits.size() > 1 ? static_cast<double>(k) / static_cast<double>(fits.size() - 1) : 0.0;
+        const drawing::Colour colour = drawing::sequential(0.8 * share);
+        const analysis::FittedLaw& here = analysis::law_at(over, law, k);
+        add_points(panels, fits[k], here.residuals, colour);
+        add_curve(panels, here, over.conditions[k], {colour, 1.4, drawing::Dash::solid});
+    }
+    const std::string name(analysis::fitted_names[over.whole.laws[law].kind]);
+    return finished(std::move(panels), drawing::quiet_ink, "Friction over the speed of slip: " + name,
+                    analysis::words_of(over));
 }
 
 }  // namespace stridor::pictures

@@ -1,6 +1,8 @@
 #include "stridor/pictures/friction_fit.hpp"
 
 #include "pictures_support.hpp"
+#include "stridor/drawing/palette.hpp"
+#include "stridor/drawing/text.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
@@ -54,6 +56,27 @@ TEST(FrictionFitScene, HasALogarithmicAxisOverManySpeeds) {
         EXPECT_LT(panel.x.range.from, 0.01);
         EXPECT_GT(panel.x.range.to, 1.0);
     }
+}
+
+TEST(FrictionOverConditionsScene, HasAColourForThePointsAndTheCurveOfEachTemperature) {
+    const analysis::FrictionOverConditions over = analysis::friction_over_temperature(
+        {{60.0, falling_friction(8.0).data}, {23.0, falling_friction(6.0).data}, {5.0, falling_friction(7.0).data}});
+    const drawing::Scene scene = friction_over_conditions(over, over.whole.best);
+    const auto points = layers_of<drawing::Points>(scene.panels.at(0));
+    const auto curves = layers_of<drawing::Line>(scene.panels[0]);
+    const auto left = layers_of<drawing::Points>(scene.panels.at(1));
+    ASSERT_EQ(points.size(), 3U);
+    ASSERT_EQ(curves.size(), 3U);
+    ASSERT_EQ(left.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const analysis::FittedLaw& law = analysis::law_at(over, over.whole.best, k);
+        EXPECT_EQ(drawing::hex(points[k].colour), drawing::hex(curves[k].stroke.colour));
+        EXPECT_EQ(left[k].y, law.residuals);
+        EXPECT_NEAR(curves[k].y.back(), law.contact.kinetic_friction, 0.02);
+    }
+    EXPECT_NE(drawing::hex(points[0].colour), drawing::hex(points[2].colour));
+    ASSERT_EQ(scene.legend.size(), 4U);
+    EXPECT_EQ(drawing::plain_text(scene.legend[1].text), "at 23 degC");
 }
 
 // twelve slips of Coulomb's law, each with its own force of release, sampled at its own phase
