@@ -160,35 +160,33 @@ double standing_part(std::span<const double> samples) {
     return mean * mean * count > moving ? mean : 0.0;
 }
 
-// A recording block by block, channel by channel, of samples to compute with only. What stands still in the first block
-// is taken away from all: its beginning would be heard as a blow, and its level as loudness.
-class BlockReader {
+// Parts frames into channels, of samples to compute with only. What stands still in the first block is taken away from
+// all: its beginning would be heard as a blow, and its level as loudness.
+class ChannelParter {
 public:
-    explicit BlockReader(signal::Source& source)
-        : source_(source),
-          width_(source.layout().channels.size()),
-          block_(block_frames * width_) {}
+    explicit ChannelParter(std::vector<signal::Channel> channels) : channels_(std::move(channels)) {}
 
-    // how many frames there were: 0 at the end
-    std::size_t read(Channels& channels) {
-        const std::size_t count = source_.read(block_);
-        channels.resize(width_);
-        for (std::size_t channel = 0; channel < width_; ++channel) {
+    void part(std::span<const double> frames, Channels& channels) {
+        const std::size_t width = channels_.size();
+        const std::size_t count = frames.size() / width;
+        channels.resize(width);
+        for (std::size_t channel = 0; channel < width; ++channel) {
             channels[channel].resize(count);
             for (std::size_t frame = 0; frame < count; ++frame) {
-                const double x = block_[frame * width_ + channel];
+                const double x = frames[frame * width + channel];
                 if (!signal::is_sample(x)) refuse(x, channel, done_ + frame + 1);
                 channels[channel][frame] = std::abs(x) < smallest_sample ? 0.0 : x;
             }
         }
         if (count > 0) take_standing_parts(channels);
         done_ += count;
-        return count;
     }
+
+    std::uint64_t done() const { return done_; }
 
 private:
     void take_standing_parts(Channels& channels) {
-        for (std::size_t channel = 0; channel < width_; ++channel) {
+        for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             if (done_ == 0) standing_.push_back(standing_part(channels[channel]));
             if (standing_[channel] == 0.0) continue;
             for (double& x : channels[channel])
@@ -197,15 +195,109 @@ private:
     }
 
     [[noreturn]] void refuse(double x, std::size_t channel, std::uint64_t number) const {
-        throw Error(ErrorKind::input, signal::sample_problem(x, source_.layout().channels[channel], number));
+        throw Error(ErrorKind::input, signal::sample_problem(x, channels_[channel], number));
     }
 
-    signal::Source& source_;
-    std::size_t width_;
-    std::vector<double> block_;
+    std::vector<signal::Channel> channels_;
     std::vector<double> standing_{};  // [unit] shape [channel]
     std::uint64_t done_ = 0;
 };
+
+// a recording block by block
+class BlockReader {
+public:
+    explicit BlockReader(signal::Source& source)
+        : source_(source),
+          parter_(source.layout().channels),
+          block_(block_frames * source.layout().channels.size()) {}
+
+    // leaves no frame at the end
+    void read(Channels& channels) {
+        const std::size_t count = source_.read(block_);
+        parter_.part(std::span(block_).first(count * source_.layout().channels.size()), channels);
+    }
+
+private:
+    signal::Source& source_;
+    ChannelParter parter_;
+    std::vector<double> block_;
+};
+
+// all that is found in the channels of a recording; its pieces of work are independent, the dearest come first
+class ChannelFindings {
+public:
+    ChannelFindings(const signal::ChannelLayout& layout, std::optional<SoundField> field)
+        : width_(layout.channels.size()) {
+        check(layout);
+        for (const signal::Channel& channel : layout.channels) {
+            finders_.emplace_back(layout.rate);
+            overviews_.emplace_back(layout.rate, channel);
+        }
+        for (std::size_t channel = 0; channel < width_; ++channel) {
+            if (is_heard_through_air(layout.channels[channel])) {
+                passages_.emplace_back(layout.rate);
+                heard_.push_back(channel);
+            }
+            if (field && layout.channels[channel].unit == "Pa") {
+                meters_.emplace_back(layout.rate, *field);
+                metered_.push_back(channel);
+            }
+        }
+    }
+
+    std::size_t pieces() const { return 2 * width_ + passages_.size() + meters_.size(); }
+
+    void push(std::size_t piece, const Channels& channels) {
+        const std::size_t described = 2 * width_;
+        const std::size_t passed = described + passages_.size();
+        if (piece < width_)
+            finders_[piece].push(channels[piece]);
+        else if (piece < described)
+            overviews_[piece - width_].push(channels[piece - width_]);
+        else if (piece < passed)
+            passages_[piece - described].push(channels[heard_[piece - described]]);
+        else
+            meters_[piece - passed].push(channels[metered_[piece - passed]]);
+    }
+
+    std::span<const Passage> passages(std::size_t channel) const {
+        const auto place = std::find(heard_.begin(), heard_.end(), channel);
+        if (place == heard_.end()) return {};
+        return passages_[static_cast<std::size_t>(place - heard_.begin())].found();
+    }
+
+    std::span<const SoundStretch> stretches(std::size_t channel) const { return finders_[channel].found(); }
+
+    std::vector<SoundAnalysis> finish() {
+        std::vector<SoundAnalysis> results;
+        for (std::size_t channel = 0; channel < width_; ++channel) {
+            results.push_back(overviews_[channel].finish());
+            results.back().stretches = finders_[channel].finish();
+        }
+        for (std::size_t k = 0; k < passages_.size(); ++k) {
+            SoundAnalysis& result = results[heard_[k]];
+            result.passages = passages_[k].finish();
+            result.impulses = passages_[k].impulses();
+            result.impulses.unit = result.unit;
+        }
+        for (std::size_t k = 0; k < meters_.size(); ++k)
+            results[metered_[k]].quality = meters_[k].finish();
+        return results;
+    }
+
+private:
+    std::size_t width_;
+    std::vector<StretchFinder> finders_{};
+    std::vector<ChannelOverview> overviews_{};
+    std::vector<PassageFinder> passages_{};
+    std::vector<std::size_t> heard_{};  // their channels
+    std::vector<SoundQualityMeter> meters_{};
+    std::vector<std::size_t> metered_{};  // likewise
+};
+
+Error no_samples() {
+    return {ErrorKind::input, {"the recording holds no samples", "there is nothing to analyse", ""}};
+}
 
 }  // namespace
 
@@ -220,49 +312,19 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 
 std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgress& progress, const Runner& run,
                                    std::optional<SoundField> field) {
-    const signal::ChannelLayout layout = source.layout();
-    check(layout);
-    const std::size_t width = layout.channels.size();
-    std::vector<StretchFinder> finders;
-    std::vector<ChannelOverview> overviews;
-    for (const signal::Channel& channel : layout.channels) {
-        finders.emplace_back(layout.rate);
-        overviews.emplace_back(layout.rate, channel);
-    }
-    std::vector<PassageFinder> passages;
-    std::vector<std::size_t> heard;  // their channels
-    std::vector<SoundQualityMeter> meters;
-    std::vector<std::size_t> metered;  // likewise
-    for (std::size_t channel = 0; channel < width; ++channel) {
-        if (is_heard_through_air(layout.channels[channel])) {
-            passages.emplace_back(layout.rate);
-            heard.push_back(channel);
-        }
-        if (field && layout.channels[channel].unit == "Pa") {
-            meters.emplace_back(layout.rate, *field);
-            metered.push_back(channel);
-        }
-    }
-    const std::size_t described = 2 * width;
-    const std::size_t passed = described + passages.size();
-    const std::size_t listened = passed + meters.size();
+    ChannelFindings findings(source.layout(), field);
     BlockReader reader(source);
     Channels here;
     Channels next;
     std::uint64_t done = 0;
-    if (reader.read(here) == 0)
-        throw Error(ErrorKind::input, {"the recording holds no samples", "there is nothing to analyse", ""});
+    reader.read(here);
+    if (here.front().empty()) throw no_samples();
     while (!here.front().empty()) {
-        // the dearest pieces first, and the next block is read beside them
-        run(listened + 1, [&](std::size_t piece) {
-            if (piece < width)
-                finders[piece].push(here[piece]);
-            else if (piece < described)
-                overviews[piece - width].push(here[piece - width]);
-            else if (piece < passed)
-                passages[piece - described].push(here[heard[piece - described]]);
-            else if (piece < listened)
-                meters[piece - passed].push(here[metered[piece - passed]]);
+        // the next block is read beside the work
+        const std::size_t pieces = findings.pieces();
+        run(pieces + 1, [&](std::size_t piece) {
+            if (piece < pieces)
+                findings.push(piece, here);
             else
                 reader.read(next);
         });
@@ -270,20 +332,64 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
         if (progress) progress(done);
         std::swap(here, next);
     }
-    std::vector<SoundAnalysis> results;
-    for (std::size_t channel = 0; channel < width; ++channel) {
-        results.push_back(overviews[channel].finish());
-        results.back().stretches = finders[channel].finish();
+    return findings.finish();
+}
+
+struct SoundListener::State {
+    explicit State(const signal::ChannelLayout& layout)
+        : width(layout.channels.size()),
+          findings(layout, {}),
+          parter(layout.channels) {}
+
+    void hear(std::span<const double> frames) {
+        parter.part(frames, channels);
+        for (std::size_t piece = 0; piece < findings.pieces(); ++piece)
+            findings.push(piece, channels);
     }
-    for (std::size_t k = 0; k < passages.size(); ++k) {
-        SoundAnalysis& result = results[heard[k]];
-        result.passages = passages[k].finish();
-        result.impulses = passages[k].impulses();
-        result.impulses.unit = result.unit;
+
+    // the first block, as `analyse` reads it
+    void hear_first() {
+        const std::vector<double> frames = std::exchange(first, {});
+        hear(frames);
     }
-    for (std::size_t k = 0; k < meters.size(); ++k)
-        results[metered[k]].quality = meters[k].finish();
-    return results;
+
+    std::size_t width;
+    ChannelFindings findings;
+    ChannelParter parter;
+    std::vector<double> first{};  // shape [frame][channel]
+    Channels channels{};
+};
+
+SoundListener::SoundListener(const signal::ChannelLayout& layout) : state_(std::make_unique<State>(layout)) {}
+SoundListener::~SoundListener() = default;
+SoundListener::SoundListener(SoundListener&&) noexcept = default;
+SoundListener& SoundListener::operator=(SoundListener&&) noexcept = default;
+
+void SoundListener::push(std::span<const double> frames) {
+    State& s = *state_;
+    if (s.parter.done() == 0) {
+        const std::size_t taken = std::min(frames.size(), block_frames * s.width - s.first.size());
+        s.first.insert(s.first.end(), frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(taken));
+        frames = frames.subspan(taken);
+        if (s.first.size() < block_frames * s.width) return;
+        s.hear_first();
+    }
+    if (!frames.empty()) s.hear(frames);
+}
+
+std::span<const Passage> SoundListener::passages(std::size_t channel) const {
+    return state_->findings.passages(channel);
+}
+
+std::span<const SoundStretch> SoundListener::stretches(std::size_t channel) const {
+    return state_->findings.stretches(channel);
+}
+
+std::vector<SoundAnalysis> SoundListener::finish() {
+    State& s = *state_;
+    if (!s.first.empty()) s.hear_first();
+    if (s.parter.done() == 0) throw no_samples();
+    return s.findings.finish();
 }
 
 std::size_t loudest(std::span<const SoundAnalysis> channels) {

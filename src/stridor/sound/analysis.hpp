@@ -76,6 +76,36 @@ using AnalysisProgress = std::function<void(std::uint64_t frames)>;
 using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// Analyses a recording as its samples come, for a sound whose end is not in sight. Its results are those of `analyse`,
+/// bit for bit, however the samples are cut into pieces. Its memory grows by some kilobytes per channel and second.
+class SoundListener {
+public:
+    /// Takes rate and channels. Throws `Error` (input) for a rate below 1 kHz or above 10 MHz, and for more than 64
+    /// channels.
+    explicit SoundListener(const signal::ChannelLayout& layout);
+    ~SoundListener();
+    SoundListener(SoundListener&&) noexcept;
+    SoundListener& operator=(SoundListener&&) noexcept;
+
+    /// Takes the next samples, shape [frame][channel]. The first 65,536 frames wait for each other: what stands still
+    /// in them is taken away. Throws `Error` (input) for a sample that is not finite.
+    void push(std::span<const double> frames);
+
+    /// Returns the passages that are complete so far, in time; empty for a channel that is no microphone's.
+    std::span<const Passage> passages(std::size_t channel) const;
+
+    /// Returns the stretches that are complete so far, in time.
+    std::span<const SoundStretch> stretches(std::size_t channel) const;
+
+    /// Ends the recording and returns the analysis of all channels; shape [channel]. Throws `Error` (input) for a
+    /// recording without samples.
+    std::vector<SoundAnalysis> finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Says whether a channel counts as a microphone's: one in Pa does, and an uncalibrated one; motions and forces are
 /// heard as they are.
 bool is_heard_through_air(const signal::Channel& channel);

@@ -152,6 +152,10 @@ void PassageFinder::push(std::span<const double> samples) {
     s.pending.erase(s.pending.begin(), s.pending.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+std::span<const Passage> PassageFinder::found() const {
+    return state_->passages;
+}
+
 std::vector<Passage> PassageFinder::finish() {
     state_->describe(state_->pending);
     state_->pending.clear();
@@ -211,6 +215,10 @@ void StretchFinder::push(std::span<const double> samples) {
     s.parts.push(samples);
     s.pending.insert(s.pending.end(), samples.begin(), samples.end());
     s.describe(State::End::open);
+}
+
+std::span<const SoundStretch> StretchFinder::found() const {
+    return state_->stretches;
 }
 
 std::vector<SoundStretch> StretchFinder::finish() {

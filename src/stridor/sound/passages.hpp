@@ -35,6 +35,9 @@ public:
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
+    /// Returns the passages that are complete so far, in time.
+    std::span<const Passage> found() const;
+
     /// Ends the recording and returns all passages, in time. A recording shorter than 20 ms has none.
     std::vector<Passage> finish();
 
@@ -66,6 +69,9 @@ public:
 
     /// Takes the next samples.
     void push(std::span<const double> samples);
+
+    /// Returns the stretches that are complete so far, in time.
+    std::span<const SoundStretch> found() const;
 
     /// Ends the recording and returns all stretches, in time. A rest too short to be described is left out.
     std::vector<SoundStretch> finish();

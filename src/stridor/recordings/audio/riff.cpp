@@ -93,8 +93,8 @@ bool is_chunk_behind(const Bytes& bytes, std::uint64_t offset) {
 }  // namespace
 
 bool RiffData::has_unknown_length() const {
-    // sox writes 0x7FFFFFFF less its header, ffmpeg and others 0xFFFFFFFF
-    return claimed == 0 || claimed >= 0x7FFFF000U;
+    // sox writes the whole frames in 0x7FFFF000, ffmpeg and others 0xFFFFFFFF
+    return claimed == 0 || claimed + frame_bytes > 0x7FFFF000U;
 }
 
 bool RiffData::has_wide_frames() const {
