@@ -82,10 +82,14 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     return result;
 }
 
-pid_t start(std::vector<std::string> command, int messages) {
+// `output`: where its standard output goes; negative: nowhere, and a signal of the terminal reaches it as it does us
+pid_t start(std::vector<std::string> command, int messages, int output = -1) {
     SpawnSettings settings;
     posix_spawn_file_actions_addopen(&settings.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&settings.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (output < 0)
+        posix_spawn_file_actions_addopen(&settings.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    else
+        posix_spawn_file_actions_adddup2(&settings.actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&settings.actions, messages, STDERR_FILENO);
     // the child starts with the signals a program expects, whatever this program blocks or ignores
     sigset_t none;
@@ -95,7 +99,9 @@ pid_t start(std::vector<std::string> command, int messages) {
     sigaddset(&usual, SIGPIPE);
     posix_spawnattr_setsigmask(&settings.attributes, &none);
     posix_spawnattr_setsigdefault(&settings.attributes, &usual);
-    posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    const int group = output < 0 ? 0 : POSIX_SPAWN_SETPGROUP;
+    posix_spawnattr_setflags(&settings.attributes,
+                             static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | group));
 
     std::vector<std::string> variables = plain_environment();
     pid_t child = -1;
@@ -154,6 +160,36 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::op
         throw Error(ErrorKind::io, {command.front() + " did not end within " + std::to_string(longest->count()) + " s",
                                     "it was ended", ""});
     return {status, std::move(*said)};
+}
+
+PipedProcess::PipedProcess(const std::vector<std::string>& command) {
+    STRIDOR_EXPECT(!command.empty());
+    Pipe output;
+    Pipe messages;
+    id_ = start(command, messages.ends[1], output.ends[1]);
+    output_ = std::exchange(output.ends[0], -1);
+    messages_ = std::exchange(messages.ends[0], -1);
+}
+
+PipedProcess::~PipedProcess() {
+    // with nobody to read, it ends at its next write, if the signal does not end it
+    Pipe::close(output_);
+    Pipe::close(messages_);
+    if (id_ < 0) return;
+    ::kill(id_, SIGTERM);
+    constexpr int patience = 100;  // times 10 ms
+    int status = 0;
+    for (int k = 0; k < patience; ++k) {
+        const pid_t ended = ::waitpid(id_, &status, WNOHANG);
+        if (ended != 0 && !(ended < 0 && errno == EINTR)) return;
+        ::usleep(10'000);
+    }
+    ::kill(id_, SIGKILL);
+    ::waitpid(id_, &status, 0);
+}
+
+int PipedProcess::wait() {
+    return wait_for(std::exchange(id_, -1));
 }
 
 bool is_on_path(const std::string& program) {
