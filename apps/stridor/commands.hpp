@@ -28,6 +28,7 @@ void add_chart_status(CLI::App& program);
 void add_report(CLI::App& program);
 void add_figure(CLI::App& program);
 void add_listen(CLI::App& program);
+void add_listen_in(CLI::App& program);
 void add_rig(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_library(CLI::App& program);
@@ -45,10 +46,10 @@ void add_completion(CLI::App& program);
 
 /// All commands, in the order in which the help lists them.
 inline constexpr std::array add_commands{
-    add_init,      add_check,   add_simulate,     add_stability, add_follow,   add_strokes,   add_advise,
-    add_chart,     add_merge,   add_chart_status, add_report,    add_figure,   add_listen,    add_rig,
-    add_convert,   add_library, add_analyse,      add_classify,  add_evaluate, add_compare,   add_match,
-    add_structure, add_explore, add_page,         add_verify,    add_manual,   add_completion};
+    add_init,    add_check,     add_simulate,     add_stability, add_follow,    add_strokes,  add_advise,
+    add_chart,   add_merge,     add_chart_status, add_report,    add_figure,    add_listen,   add_rig,
+    add_convert, add_library,   add_analyse,      add_classify,  add_listen_in, add_evaluate, add_compare,
+    add_match,   add_structure, add_explore,      add_page,      add_verify,    add_manual,   add_completion};
 
 /// The options of every command that reads a case.
 struct CaseOptions {

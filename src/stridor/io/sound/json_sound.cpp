@@ -2,6 +2,7 @@
 
 #include "stridor/base/version.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/io/sound/verdict_object.hpp"
 #include "stridor/signal/level.hpp"
 #include "stridor/signal/spectrum.hpp"
 #include "stridor/sound/feature_table.hpp"
@@ -70,6 +71,8 @@ Json passage_object(const classification::HeardPassage& passage) {
             {"reasons", std::move(reasons)}};
 }
 
+}  // namespace
+
 Json verdict_object(const classification::RecordingVerdict& verdict, double reference) {
     Json segments = json_parts::array_of(verdict.segments, [&](const classification::SoundSegment& segment) {
         return segment_object(segment, reference);
@@ -83,6 +86,8 @@ Json verdict_object(const classification::RecordingVerdict& verdict, double refe
     object["passages"] = json_parts::array_of(verdict.passages, [](const auto& each) { return passage_object(each); });
     return object;
 }
+
+namespace {
 
 Json channel_opening(const SoundAnalysis& analysis) {
     return {{"name", analysis.name},
