@@ -9,4 +9,3 @@ set(CMAKE_CXX_ABI_COMPILED ON)
 set(CMAKE_SIZEOF_VOID_P 4)
 
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions")
-set(CMAKE_EXECUTABLE_SUFFIX .wasm)

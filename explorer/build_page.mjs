@@ -4,11 +4,11 @@
 //
 // `stridor page` writes a case into it. Fails when the file outgrows its budget.
 import { build } from "esbuild";
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { readFile, writeFile } from "node:fs/promises";
+import { writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { gzipSync } from "node:zlib";
 
 const budget = 1_600_000; // bytes
 const [core, out] = process.argv.slice(2);
@@ -51,7 +51,8 @@ const hashOf = (text) => `'sha256-${createHash("sha256").update(text).digest("ba
 
 const page = await bundle("anywhere.ts");
 const worker = await bundle("anywhere/worker.ts");
-const packed = lettersOf(gzipSync(await readFile(core), { level: 9 }));
+// as gzip unpacks it, 4 % smaller than gzip packs it
+const packed = lettersOf(execFileSync("zopfli", ["-c", "--i5", core], { maxBuffer: 1e8 }));
 const policy = [
   "default-src 'none'",
   `script-src ${hashOf(page.script)} 'wasm-unsafe-eval'`,

@@ -116,6 +116,10 @@ bool has_recording_name(std::string_view) {
     return false;
 }
 
+bool has_sound_name(std::string_view) {
+    return false;
+}
+
 bool is_mat(std::string_view beginning) {
     return beginning.starts_with("MATLAB");
 }
