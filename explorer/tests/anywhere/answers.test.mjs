@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { program } from "../browser/session.mjs";
+import { random } from "../unit/random.mjs";
 import { startCore } from "./core.mjs";
 import { compare, startServed } from "./served.mjs";
 
@@ -66,7 +67,7 @@ const leaning = {
   "the samples of a drive": {
     toml: () =>
       execFileSync(program, ["init", "squeal"], { encoding: "utf8" }).replace(
-        /\[drive\][^[]*/,
+        /\[drive\][^]*?\n(?=\[run\])/,
         '[drive]\nkind = "sampled"\nfile = "folder/speed.csv"\n\n',
       ),
     files: { "speed.csv": "time [s],velocity [m/s]\n0,0\n0.5,0.2\n1.5,-0.1\n5,0.1\n" },
@@ -88,7 +89,7 @@ velocity = "20 mm/s"
     files: {
       "k.csv": "1e5,-4e4\n-4e4,2e5\n",
       "m.csv": "0.1,0\n0,0.1\n",
-      "contacts.csv": "name,normal,tangent\nfoot,2,1\n",
+      "contacts.csv": "name,normal,tangent\nfoot,u2,u1\n",
     },
   },
 };
@@ -114,6 +115,62 @@ for (const [what, { toml, files }] of Object.entries(leaning))
     // and without it once it is read: a slider moves
     await compare(served, core, "/api/simulate", { preset: "file", set: ["contact.preload=31"] });
   });
+
+/** A WAV file of a noise that buzzes; samples of `bits` bits, whole numbers or (32) floats. */
+function buzz(bits, coding, seconds = 1.5) {
+  const [rate, width] = [24_000, bits / 8];
+  const bytes = Buffer.alloc(44 + Math.round(seconds * rate) * width);
+  bytes.write("RIFF", 0);
+  bytes.writeUInt32LE(bytes.length - 8, 4);
+  bytes.write("WAVEfmt ", 8);
+  bytes.writeUInt32LE(16, 16);
+  bytes.writeUInt16LE(coding, 20);
+  bytes.writeUInt16LE(1, 22);
+  bytes.writeUInt32LE(rate, 24);
+  bytes.writeUInt32LE(rate * width, 28);
+  bytes.writeUInt16LE(width, 32);
+  bytes.writeUInt16LE(bits, 34);
+  bytes.write("data", 36);
+  bytes.writeUInt32LE(bytes.length - 44, 40);
+  const number = random(5);
+  for (let k = 0; k < seconds * rate; ++k) {
+    const sample = 0.4 * Math.sin((2 * Math.PI * 1234.5 * k) / rate) + 0.1 * (number() - 0.5);
+    const at = 44 + k * width;
+    if (coding === 3) bytes.writeFloatLE(sample, at);
+    else if (bits === 8) bytes.writeUInt8(Math.round(sample * 100) + 128, at);
+    else bytes.writeIntLE(Math.round(sample * (2 ** (bits - 1) - 1)), at, width);
+  }
+  return bytes;
+}
+
+test("a recording is heard as the program hears it, whatever its coding", async (t) => {
+  const library = join(folder, "noises.sqlite");
+  const codings = [[8, 1], [16, 1], [24, 1], [32, 1], [32, 3]]; // prettier-ignore
+  const sounds = codings.map(([bits, coding]) => [`buzz-${bits}-${coding}.wav`, buzz(bits, coding)]);
+  sounds.push(["table.csv", Buffer.from("time [s],pressure [Pa]\n" + Array.from({ length: 6000 }, (_, k) => `${k / 8000},${Math.sin(k / 3)}\n`).join(""))]); // prettier-ignore
+  for (const [name, bytes] of sounds) await writeFile(join(folder, name), bytes);
+  for (const [name] of sounds)
+    execFileSync(program, ["library", "add", "--library", library, join(folder, name)], { stdio: "pipe" });
+  const [served, core] = [await startServed(["--library", library]), await startCore()];
+  t.after(() => served.stop());
+  for (const [k, [name, bytes]] of sounds.entries()) {
+    const native = await served.get(`/api/library/${k + 1}/analysis`);
+    assert.equal(native.status, 200, `${name}: ${native.bytes.subarray(0, 300)}`);
+    const inside = core.hear(name, bytes);
+    assert.equal(inside.status, 200, `${name}: ${inside.bytes.subarray(0, 300)}`);
+    assert.ok(inside.bytes.equals(native.bytes), name);
+  }
+  const [, whole] = sounds[1];
+  for (const [name, bytes] of [
+    ["cut.wav", whole.subarray(0, 999)],
+    ["none.wav", whole.subarray(0, 20)],
+    ["a.mat", Buffer.from("MATLAB 5.0 MAT-file")],
+  ]) {
+    const refused = core.hear(name, bytes);
+    assert.equal(refused.status, 400, name);
+    assert.match(refused.bytes.toString(), /cut off|no whole WAV|is not read/);
+  }
+});
 
 test("a wrong question is refused in the same words", async (t) => {
   const [served, core] = [await startServed([]), await startCore()];

@@ -32,6 +32,7 @@ export async function startCore() {
       const held = Object.entries(files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]);
       return heard((told) => core.open(JSON.stringify({ toml, files: Object.fromEntries(held) }), told));
     },
+    hear: (name, bytes) => heard((told) => core.hear(name, bytes, told)),
     size: () => core.size,
   };
 }

@@ -16,6 +16,10 @@ export async function startServed(options) {
       const response = await fetch(explorer.origin + path, { headers, method: "POST", body: JSON.stringify(body) });
       return { status: response.status, bytes: Buffer.from(await response.arrayBuffer()) };
     },
+    async get(path) {
+      const response = await fetch(explorer.origin + path, { headers });
+      return { status: response.status, bytes: Buffer.from(await response.arrayBuffer()) };
+    },
     stop: () => explorer.stop(),
   };
 }

@@ -1,12 +1,23 @@
 // Firefox for the tests, driven through Marionette, its own WebDriver over a plain socket: playwright-core needs a
 // Firefox that was patched for it. Messages are `LENGTH:JSON`: [0, id, command, parameters] there, [1, id, error,
 // value] back.
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { until } from "../until.mjs";
+
+/** The name of the Firefox of this machine; undefined: there is none. */
+export const firefox = (process.env.STRIDOR_FIREFOX ? [process.env.STRIDOR_FIREFOX] : ["firefox-esr", "firefox"]).find(
+  (name) => {
+    try {
+      return execFileSync(name, ["--version"], { stdio: ["ignore", "pipe", "ignore"] }).length > 0;
+    } catch {
+      return false;
+    }
+  },
+);
 
 const patience = 600_000; // [ms] for a Firefox that starts on a busy machine
 
@@ -95,6 +106,8 @@ export async function openFirefox(program, { width = 1440, height = 900 } = {}) 
     wait: (script, ...args) => until(() => run(script, ...args), script),
     click: async (selector) => wire.ask("WebDriver:ElementClick", { id: await find(selector) }),
     type: async (selector, text) => wire.ask("WebDriver:ElementSendKeys", { id: await find(selector), text }),
+    /** What follows is asked of the page in this frame. */
+    enter: async (selector) => wire.ask("WebDriver:SwitchToFrame", { element: await find(selector) }),
     async picture(path) {
       const { value } = await wire.ask("WebDriver:TakeScreenshot", { full: false });
       await writeFile(path, Buffer.from(value, "base64"));

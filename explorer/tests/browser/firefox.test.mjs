@@ -2,24 +2,15 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { test } from "node:test";
-import { openFirefox } from "./firefox.mjs";
+import { firefox, openFirefox } from "./firefox.mjs";
 import { lacking } from "./needs.mjs";
 import { program, startExplorer } from "./session.mjs";
 
-const names = process.env.STRIDOR_FIREFOX ? [process.env.STRIDOR_FIREFOX] : ["firefox-esr", "firefox"];
-const found = names.find((name) => {
-  try {
-    return execFileSync(name, ["--version"], { stdio: ["ignore", "pipe", "ignore"] }).length > 0;
-  } catch {
-    return false;
-  }
-});
-
-const skip = lacking(found, "Firefox", "firefox-esr");
+const skip = lacking(firefox, "Firefox", "firefox-esr");
 
 test("the page works in Firefox", { skip, timeout: 400_000 }, async () => {
   const explorer = await startExplorer();
-  const browser = await openFirefox(found);
+  const browser = await openFirefox(firefox);
   const settled = () =>
     browser.wait(`return document.querySelector('#verdict')?.getAttribute("aria-busy") === "false"
       && document.querySelector('#chart')?.dataset.done === "true";`);

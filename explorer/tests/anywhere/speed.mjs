@@ -1,0 +1,54 @@
+// How soon the page in one file shows its first pictures, beside the server's, in one run: `node tests/anywhere/speed.mjs`.
+// Prints figures and judges none of them, for they are the machine's as well.
+import { execFileSync } from "node:child_process";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { openPage, program, startExplorer } from "../browser/session.mjs";
+
+const folder = await mkdtemp(join(tmpdir(), "stridor-speed-"));
+const file = join(folder, "page.html");
+execFileSync(program, ["page", "-o", file]);
+const explorer = await startExplorer();
+const { href } = pathToFileURL(file);
+const views = ["spectra", "modes", "energy", "friction", "listen", "quiet"];
+
+async function timed(what, from) {
+  const browser = await openPage(from);
+  const { page } = browser;
+  const times = {};
+  const note = async (name, seen) => {
+    await seen;
+    times[name] = Math.round(performance.now() - begin);
+  };
+  let begin = performance.now();
+  await browser.goto();
+  await Promise.all([
+    note("verdict", page.waitForSelector('#verdict[aria-busy="false"]')),
+    note(
+      "chart",
+      page.waitForFunction(() => Number(document.querySelector("#chart")?.dataset.redraws) > 0),
+    ),
+    note("whole chart", page.waitForSelector('#chart[data-done="true"]')),
+  ]);
+  for (const view of views) {
+    begin = performance.now();
+    await page.locator(`#tab-${view}`).click();
+    await note(view, page.waitForSelector(`#view-${view}:not([hidden]):not(:has([aria-busy="true"]))`));
+  }
+  await browser.close();
+  console.log(
+    what.padEnd(9),
+    Object.entries(times)
+      .map(([name, time]) => `${name} ${time} ms`)
+      .join(", "),
+  );
+}
+
+for (let turn = 0; turn < 3; ++turn) {
+  await timed("server", explorer);
+  await timed("one file", { origin: href, link: () => href });
+}
+await explorer.stop();
+await rm(folder, { recursive: true, force: true });
