@@ -5,7 +5,7 @@ import { Pool } from "./anywhere/pool.ts";
 import { Recordings } from "./anywhere/recordings.ts";
 import { openable, sentence } from "./data/api.ts";
 import { carryInside } from "./data/carrier.ts";
-import { fragment, visit } from "./state/place.ts";
+import { fragment, hasAddress, visit } from "./state/place.ts";
 
 const fewest = 2; // workers: a chart does not keep a verdict waiting
 
@@ -47,10 +47,24 @@ function takeDrops(): void {
   });
 }
 
+/** A frame in a report that is closed, or far down a notebook, costs nothing before somebody sees it. */
+function seen(): Promise<void> {
+  if (hasAddress) return Promise.resolve();
+  return new Promise((take) => {
+    const watcher = new IntersectionObserver((entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+      watcher.disconnect();
+      take();
+    });
+    watcher.observe(document.documentElement);
+  });
+}
+
 async function begin(): Promise<void> {
   const problem = missing();
   if (problem) throw new Error(problem);
   const file = textOfFile();
+  await seen();
   const module = await compiledCore().catch((error: unknown) => {
     if (!/memory/i.test(sentence(error))) throw error;
     throw new Error("The browser gives this page no memory for the program in it. Close other tabs and reload it.");

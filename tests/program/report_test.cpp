@@ -176,8 +176,9 @@ TEST_F(LiveReport, HoldsThePageWithItsCase) {
     const Finished done = live({"--set", "contact.preload=17", "-o", "report.html"});
     ASSERT_EQ(done.exit_code, 0) << done.err;
     const std::string text = read_text(folder_ / "report.html");
-    for (const char* part : {"preload = 17", "</script>\xE9\"></iframe>", "<meta charset=\"windows-1252\">",
-                             "script-src 'sha256-x=' 'wasm-unsafe-eval'; worker-src blob:;", "--no-advice --live -o"})
+    for (const char* part :
+         {"preload = \\&quot;17 N\\&quot;", "</script>\xE9\"></iframe>", "<meta charset=\"windows-1252\">",
+          "script-src 'sha256-x=' 'wasm-unsafe-eval'; worker-src blob:;", "--no-advice --live -o"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
