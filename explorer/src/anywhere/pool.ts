@@ -7,8 +7,7 @@ import type { Begin, Letter, Question } from "./letters.ts";
 
 const mostMemory = 96e6; // [bytes] of a worker that waits for its next question
 const mostWaiting = 2; // workers without a question; with more the others are ended
-const noMemory =
-  "The browser gives the page no more memory. Close other tabs and reload it, or ask for less: fewer points, a shorter run.";
+const noMemory = "The browser gives the page no more memory. Close other tabs and reload it, or ask for fewer points.";
 export const noWorkers =
   "This browser runs no workers from a file (a policy may forbid them). Open the file in another browser.";
 const lacking = 202; // the status of an answer that lacks results of helpers

@@ -147,7 +147,8 @@ test("a recording is heard as the program hears it, whatever its coding", async 
   const library = join(folder, "noises.sqlite");
   const codings = [[8, 1], [16, 1], [24, 1], [32, 1], [32, 3]]; // prettier-ignore
   const sounds = codings.map(([bits, coding]) => [`buzz-${bits}-${coding}.wav`, buzz(bits, coding)]);
-  sounds.push(["table.csv", Buffer.from("time [s],pressure [Pa]\n" + Array.from({ length: 6000 }, (_, k) => `${k / 8000},${Math.sin(k / 3)}\n`).join(""))]); // prettier-ignore
+  const rows = Array.from({ length: 6000 }, (_, k) => `${k / 8000},${Math.sin(k / 3)}`);
+  sounds.push(["table.csv", Buffer.from(`time [s],pressure [Pa]\n${rows.join("\n")}\n`)]);
   for (const [name, bytes] of sounds) await writeFile(join(folder, name), bytes);
   for (const [name] of sounds)
     execFileSync(program, ["library", "add", "--library", library, join(folder, name)], { stdio: "pipe" });

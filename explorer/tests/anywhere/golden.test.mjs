@@ -67,7 +67,8 @@ test(
     t.after(() => browser.close());
     await browser.goto("about:blank");
     const given = [(await readFile(join(built, "golden.wasm"))).toString("base64"), source, await files()];
-    const script = `(${runInPage})(...arguments).then((text) => (window.printed = text), (error) => (window.failed = String(error)));`;
+    const noted = "(text) => (window.printed = text), (error) => (window.failed = String(error))";
+    const script = `(${runInPage})(...arguments).then(${noted});`;
     await browser.run(script, ...given);
     const printed = await browser.wait("return window.printed ?? window.failed ?? null;");
     compare(await saidLines(), printed);

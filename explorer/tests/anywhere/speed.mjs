@@ -1,5 +1,5 @@
-// How soon the page in one file shows its first pictures, beside the server's, in one run: `node tests/anywhere/speed.mjs`.
-// Prints figures and judges none of them, for they are the machine's as well.
+// How soon the page in one file shows its first pictures, beside the server's, in one run:
+// `node tests/anywhere/speed.mjs`. Prints figures and judges none of them, for they are the machine's as well.
 import { execFileSync } from "node:child_process";
 import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";

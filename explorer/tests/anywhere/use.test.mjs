@@ -270,14 +270,20 @@ test("a recording that is dropped is heard and judged beside the design", { time
 
 const said = (page) => page.locator('[role="alert"]:visible').first().textContent();
 
+const noMemory = "WebAssembly.Instance = function () { throw new RangeError('could not allocate memory'); };";
+
 test("what a browser lacks is said in a sentence with a way out", { timeout: 600_000 }, async (t) => {
   const ways = {
     "delete globalThis.WebAssembly;": /runs no WebAssembly.*another\?/,
     "delete globalThis.Worker;": /too old for the page\. Open the file in Firefox/,
     "globalThis.Worker = class { constructor() { throw new Error('no'); } };": /no workers.*another browser/,
     "WebAssembly.compile = () => Promise.reject(new RangeError('Out of memory'));": /no memory.*Close other tabs/,
-    "globalThis.Blob = class extends Blob { constructor(parts, options) { super(options?.type === 'text/javascript' ? ['WebAssembly.Instance = function () { throw new RangeError(\"could not allocate memory\"); };', ...parts] : parts, options); } };":
-      /no more memory.*Close other tabs/,
+    [`globalThis.Blob = class extends Blob {
+      constructor(parts, options) {
+        const before = options?.type === "text/javascript" ? [${JSON.stringify(noMemory)}] : [];
+        super([...before, ...parts], options);
+      }
+    };`]: /no more memory.*Close other tabs/,
   };
   for (const [init, words] of Object.entries(ways)) {
     const { page } = await opened(t, { init });
