@@ -111,7 +111,7 @@ private:
                 if (piece.is_cut) tell_gap({ear_.heard(), std::nullopt, piece.words});
                 return false;
             case LivePiece::Kind::nothing:
-                if (!is_stopped) notice_starving();
+                if (!is_stopped && !goes_on_starved()) return false;
                 break;
         }
         if (block_.is_due()) draw();
@@ -120,11 +120,17 @@ private:
         return false;
     }
 
-    void notice_starving() {
+    // is there more to come, though nothing came for some time?
+    bool goes_on_starved() {
         const double waited = std::chrono::duration<double>(Clock::now() - came_).count();
-        if (is_starved_ || waited < patience_) return;
+        if (is_starved_ || waited < patience_) return true;
+        if (samples_.is_whole()) {
+            sum_.why = "the file is whole";
+            return false;
+        }
         is_starved_ = true;
         tell_gap({ear_.heard(), std::nullopt, "nothing came for " + options_.patience});
+        return true;
     }
 
     void tell_gap(const io::LiveGap& gap) {

@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace stridor::app {
@@ -198,14 +200,13 @@ LivePiece LiveSamples::piece_of_pending() {
     const std::size_t width = form_.frame_bytes();
     std::size_t count = pending_.size() / width;
     if (head_ && head_->promised) {
-        const std::uint64_t left = *head_->promised > taken_ ? *head_->promised - taken_ : 0;
-        if (is_growing_ && left == 0) {
-            // a file that is being written has the length of a moment ago; in a whole one other chunks stand behind
-            if (is_chunk(pending_, pending_.size())) return ending("the file is whole");
-        } else if (count * width >= left) {
-            count = static_cast<std::size_t>(left / width);
-            if (count == 0) return ending("its head promised no more");
-        }
+        const std::uint64_t left = (std::max(*head_->promised, taken_) - taken_) / width;
+        if (left > 0)
+            count = static_cast<std::size_t>(std::min<std::uint64_t>(count, left));
+        else if (!is_growing_)
+            return ending("its head promised no more");
+        else if (is_chunk(pending_, bytes_left()))
+            return ending("the file is whole");
     }
     LivePiece piece{LivePiece::Kind::samples, {}, {}, {}, false};
     std::vector<double> samples(count * form_.channels);
@@ -217,6 +218,22 @@ LivePiece LiveSamples::piece_of_pending() {
         for (std::size_t k = 0; k < picked_.size(); ++k)
             piece.frames.push_back(samples[frame * form_.channels + picked_[k]] * full_scales_[k].value);
     return piece;
+}
+
+// [bytes] of the growing file from the next sample on
+std::uint64_t LiveSamples::bytes_left() const {
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(growing_file_, failure);
+    const std::uint64_t heard = head_->bytes + taken_;
+    return failure || size < heard ? 0 : size - heard;
+}
+
+bool LiveSamples::is_whole() const {
+    if (!is_growing_) return false;
+    constexpr std::size_t longest_head = 1U << 20U;
+    const std::string bytes = recordings::text_at(*recordings::open_bytes(growing_file_), 0, longest_head);
+    const auto head = recordings::wav_stream_head(bytes, growing_file_);
+    return head && head->bytes == head_->bytes && head->promised == std::optional(taken_);
 }
 
 LivePiece LiveSamples::ending(std::string words) {

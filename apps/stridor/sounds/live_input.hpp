@@ -58,12 +58,13 @@ public:
     /// Returns what comes next, within so long.
     LivePiece next(std::chrono::milliseconds longest);
 
+    /// Says whether all of a growing file was heard, and its head promises no more: its writer has closed it.
+    bool is_whole() const;
+
     const io::LiveInput& input() const { return input_; }
     const std::vector<recordings::FullScale>& full_scales() const { return full_scales_; }
     /// Returns how clips are written, so that they hold the samples as they came.
     recordings::WavSamples clip_samples() const;
-    /// Says whether it comes at its own pace, as from a microphone.
-    bool is_of_device() const { return is_of_device_; }
 
 private:
     void open(const LiveInputOptions& options);
@@ -71,6 +72,7 @@ private:
     void describe(const LiveInputOptions& options);
     LivePiece piece_of_pending();
     LivePiece ending(std::string words);
+    std::uint64_t bytes_left() const;
 
     std::unique_ptr<recordings::ByteFlow> flow_{};
     io::LiveInput input_{};
