@@ -130,7 +130,7 @@ for (const width of [1440, 1024, 390])
     await until(async () => (await verdict(page)) === "squeal", "the squeal");
     await reach(page, '[data-field="contact.kinetic_friction"]');
     await press("Control+a");
-    await page.keyboard.type("0.1");
+    await page.keyboard.type("0.3");
     await press("Enter");
     await until(async () => (await verdict(page)) === "none", "a quiet design");
     // 4: take it back
