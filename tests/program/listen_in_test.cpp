@@ -237,7 +237,7 @@ TEST(ListenIn, KeepsClipsInAFolderAndInALibrary) {
 TEST(ListenIn, EndsInOrderBySignals) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const ScratchFolder folder;
-        Pipe pipe(folder, raw_with({"--json", "--keep", "clips"}));
+        Pipe pipe(folder, raw_with({"--json", "--keep", "clips", "--patience", "600 s"}));
         pipe.write(drive().substr(0, 2 * 12 * 16000));
         // the squeal is told, and its clip is not written yet: it may go on
         ASSERT_TRUE(tells(folder, "\"category\":\"squeal\""));
@@ -256,7 +256,7 @@ TEST(ListenIn, EndsInOrderBySignals) {
 // what was told stands there, line by line, and no half of a clip
 TEST(ListenIn, LosesOnlyWhatIsOpenWhenItIsKilled) {
     const ScratchFolder folder;
-    Pipe pipe(folder, raw_with({"--json", "--keep", "clips"}));
+    Pipe pipe(folder, raw_with({"--json", "--keep", "clips", "--patience", "600 s"}));
     pipe.write(drive());
     ASSERT_TRUE(tells(folder, "\"category\":\"squeal\""));
     pipe.process().send(SIGKILL);
@@ -273,15 +273,21 @@ TEST(ListenIn, TellsThatNothingComesAndDoesNotBridgeIt) {
     Pipe pipe(folder, raw_with({"--json", "--patience", "0.2 s"}));
     const std::size_t tear = 2 * 5 * 16000;  // in the squeal
     pipe.write(drive().substr(0, tear));
-    ASSERT_TRUE(tells(folder, "nothing came for 0.2 s"));
+    ASSERT_TRUE(tells(folder, "\"at\":5.0,\"seconds\":null,\"why\":\"nothing came for 0.2 s\""));
     pipe.write(drive().substr(tear));
     pipe.close();
     EXPECT_EQ(pipe.process().wait().exit_code, 0);
     const std::vector<json> events = events_of(read_text(folder / "out.jsonl"));
     const std::vector<json> takes = only(events, "take");
     ASSERT_GE(takes.size(), 2u);
-    EXPECT_EQ(takes[0]["classify"]["channels"][0]["verdict"], verdict_of_file(folder, drive().substr(0, tear)));
-    EXPECT_EQ(only(events, "gap")[0]["at"], 5.0);
+    // on a busy machine there may be more of them
+    for (const json& take : takes) {
+        const auto first = 2 * static_cast<std::size_t>(std::llround(take["from"].get<double>() * rate));
+        const auto last = 2 * static_cast<std::size_t>(std::llround(take["to"].get<double>() * rate));
+        EXPECT_EQ(take["classify"]["channels"][0]["verdict"],
+                  verdict_of_file(folder, drive().substr(first, last - first)));
+        EXPECT_TRUE(last <= tear || first >= tear);
+    }
     EXPECT_EQ(events.back()["heard"], 14.0);
 }
 
@@ -328,6 +334,21 @@ TEST(ListenIn, FollowsAFileThatIsBeingWritten) {
     EXPECT_EQ(events.back()["why"], "the file was removed");
     ASSERT_EQ(only(events, "take").size(), 1u);
     EXPECT_EQ(only(events, "take")[0]["classify"]["channels"][0]["verdict"], expected);
+}
+
+// the length stands in its head, and other chunks behind its samples
+TEST(ListenIn, EndsWithAFileThatIsWhole) {
+    const ScratchFolder folder;
+    const json expected = verdict_of_file(folder, drive());
+    write_text(folder / "tagged.wav", wav(drive()) + "LIST" + bytes_of(400'000, 4) + std::string(400'000, 'x'));
+    for (const char* file : {"whole.wav", "tagged.wav"}) {
+        const std::vector<json> events =
+            events_of(run({"listen-in", "--follow", file, "--json", "--patience", "0.1 s"}, folder.path()).out);
+        ASSERT_FALSE(events.empty());
+        EXPECT_EQ(events.back()["why"], "the file is whole") << file;
+        EXPECT_EQ(events.back()["gaps"], 0) << file;
+        EXPECT_EQ(only(events, "take")[0]["classify"]["channels"][0]["verdict"], expected) << file;
+    }
 }
 
 TEST(ListenIn, RecordsFromADeviceAndTellsWhatItLost) {

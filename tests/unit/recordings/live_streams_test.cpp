@@ -90,7 +90,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-std::string all_of(ByteFlow& flow) {
+std::string drained(ByteFlow& flow) {
     std::string text;
     std::vector<char> block(1000);
     for (;;) {
@@ -205,9 +205,22 @@ TEST(ByteFlow, OfAProgramEndsWithItAndTellsWhatItLost) {
     EXPECT_TRUE(is_lost);
 }
 
+// what came before the loss is not taken for what came after it
+TEST(ByteFlow, OfAProgramTellsALossBehindTheBytesBeforeIt) {
+    const auto flow = flow_of_program({"sh", "-c", "head -c 50000 /dev/zero; echo 'overrun!!!' >&2"});
+    std::vector<char> block(777);
+    std::size_t count = 0;
+    for (;;) {
+        const Arrival arrival = flow->next(block, 5s);
+        if (arrival.kind == Arrival::Kind::lost || arrival.kind == Arrival::Kind::end) break;
+        count += arrival.count;
+    }
+    EXPECT_EQ(count, 50000u);
+}
+
 TEST(ByteFlow, OfAProgramThatFailsThrowsItsWords) {
     const auto flow = flow_of_program({"sh", "-c", "echo 'audio open error: no device' >&2; exit 1"});
-    expect_thrown(ErrorKind::io, "no device", [&] { all_of(*flow); });
+    expect_thrown(ErrorKind::io, "no device", [&] { drained(*flow); });
     const auto endless = flow_of_program({"sh", "-c", "while :; do printf x; done"});
     std::vector<char> block(100);
     EXPECT_EQ(endless->next(block, 5s).kind, Arrival::Kind::bytes);  // and it is ended with this object

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -120,30 +121,42 @@ public:
     }
 
     Arrival next(std::span<char> into, std::chrono::milliseconds longest) override {
+        if (loss_ && before_loss_ == 0) return *std::exchange(loss_, std::nullopt);
         std::array<pollfd, 2> waiting{pollfd{program_.output(), POLLIN, 0}, pollfd{messages_, POLLIN, 0}};
         const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(longest.count()));
         if (ready == 0 || (ready < 0 && errno == EINTR)) return {};
-        if (waiting[1].revents != 0)
-            if (std::optional<Arrival> lost = hear_messages()) return *std::move(lost);
+        if (waiting[1].revents != 0) hear_messages();
         if (waiting[0].revents == 0) return {};
-        const std::size_t count = read_some(program_.output(), into, "the sound of " + name_).value_or(0);
+        const std::size_t wanted = loss_ ? std::min(into.size(), before_loss_) : into.size();
+        if (wanted == 0) return *std::exchange(loss_, std::nullopt);
+        const std::size_t count = read_some(program_.output(), into.first(wanted), "the sound of " + name_).value_or(0);
+        if (loss_) before_loss_ -= count;
         return count > 0 ? bytes_arrived(count) : ending();
     }
 
 private:
-    std::optional<Arrival> hear_messages() {
+    // what lies in the pipe when a loss is told came before it
+    void hear_messages() {
         std::array<char, 4096> buffer{};
         const std::size_t count = read_some(messages_, buffer, "the messages of " + name_).value_or(0);
         if (count == 0) messages_ = -1;  // closed: nothing more to hear
         const std::optional<LostSound> lost = words_.hear({buffer.data(), count});
-        if (!lost) return std::nullopt;
-        return Arrival{Arrival::Kind::lost, 0, lost->seconds, lost->words};
+        if (!lost || loss_) return;
+        int lying = 0;
+        if (::ioctl(program_.output(), FIONREAD, &lying) != 0) lying = 0;
+        before_loss_ = static_cast<std::size_t>(lying);
+        loss_ = Arrival{Arrival::Kind::lost, 0, lost->seconds, lost->words};
     }
 
     Arrival ending() {
         while (messages_ >= 0)
-            static_cast<void>(hear_messages());
-        const int status = program_.wait();
+            hear_messages();
+        if (loss_) {
+            before_loss_ = 0;
+            return *std::exchange(loss_, std::nullopt);
+        }
+        if (!status_) status_ = program_.wait();
+        const int status = *status_;
         if (status == 0) return over(name_ + " ended");
         throw Error(ErrorKind::io,
                     {name_ + " ended with exit code " + std::to_string(status), words_.last(),
@@ -155,6 +168,9 @@ private:
     base::PipedProcess program_;
     int messages_ = program_.messages();
     RecorderWords words_;
+    std::optional<int> status_{};    // once it is over
+    std::optional<Arrival> loss_{};  // told after the bytes before it
+    std::size_t before_loss_ = 0;    // [bytes]
 };
 
 }  // namespace
