@@ -1,4 +1,4 @@
-// A sound that is not over from outside: pipes, files that grow, programs that record; what ends, tears or starves them.
+// A sound that is not over, from outside: pipes, files that grow, programs that record; what ends or starves them.
 
 #include "support/counter_random.hpp"
 #include "support/json_of.hpp"
