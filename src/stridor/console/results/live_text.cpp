@@ -1,6 +1,6 @@
 #include "stridor/console/results/live_text.hpp"
 
-#include "stridor/base/text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/signal/level.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +15,6 @@
 namespace stridor::console {
 
 namespace {
-
-std::string counted(std::size_t count, std::string_view word) {
-    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
 
 std::string level_words(double level, const std::string& unit) {
     return std::isfinite(level) ? fmt::format("{:.1f} {}", level, signal::level_unit(unit)) : "silence";
@@ -98,14 +94,15 @@ std::string live_gap_line(const io::LiveGap& gap) {
 }
 
 std::string live_sum_line(const io::LiveSum& sum) {
-    return fmt::format("heard {:.3f} s in {}, {}, {}: {}", sum.heard, counted(sum.takes, "take"),
-                       counted(sum.noises, "noise"), counted(sum.gaps, "gap"), sum.why);
+    return fmt::format("heard {:.3f} s in {}, {}, {}: {}", sum.heard, counted(sum.takes, "take", "takes"),
+                       counted(sum.noises, "noise", "noises"), counted(sum.gaps, "gap", "gaps"), sum.why);
 }
 
 std::string live_block(const io::LiveInput& input, std::span<const hearing::LiveCourse> courses, const io::LiveSum& sum,
                        std::size_t columns) {
-    std::string head = fmt::format("{}  {}  {}, {}  {}", clock_text(sum.heard), input.name,
-                                   counted(sum.noises, "noise"), counted(sum.gaps, "gap"), input.format);
+    std::string head =
+        fmt::format("{}  {}  {}, {}  {}", clock_text(sum.heard), input.name, counted(sum.noises, "noise", "noises"),
+                    counted(sum.gaps, "gap", "gaps"), input.format);
     std::string text = head.substr(0, columns) + "\n";
     const std::size_t room = columns > label_columns + 10 ? columns - label_columns - 1 : 0;
     for (std::size_t k = 0; k < std::min(courses.size(), most_channels); ++k) {

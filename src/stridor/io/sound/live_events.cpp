@@ -23,7 +23,7 @@ using base::Json;
 
 constexpr std::array<std::string_view, 3> take_ends{"gap", "full", "end"};
 
-std::string line_of(const Json& event) {
+std::string event_line(const Json& event) {
     return event.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -97,7 +97,7 @@ std::string begin_event(const LiveInput& input, double begin) {
     for (const signal::Channel& channel : input.layout.channels)
         event["channels"].push_back(
             {{"name", channel.name}, {"unit", channel.unit}, {"level_unit", signal::level_unit(channel.unit)}});
-    return line_of(event);
+    return event_line(event);
 }
 
 std::string passage_event(const hearing::LivePassage& passage, const LiveInput& input, double begin) {
@@ -111,7 +111,7 @@ std::string passage_event(const hearing::LivePassage& passage, const LiveInput& 
                       {"frequency", passage.frequency}});
     event["verdict"] =
         verdict_object(passage.verdict, signal::reference_of(input.layout.channels[passage.channel].unit));
-    return line_of(event);
+    return event_line(event);
 }
 
 std::string noise_event(const hearing::LiveNoise& noise, const LiveInput& input, const KeptClip& kept, double begin) {
@@ -132,7 +132,7 @@ std::string noise_event(const hearing::LiveNoise& noise, const LiveInput& input,
     if (!kept.file.empty()) event["clip"]["file"] = kept.file;
     if (kept.entry > 0) event["clip"]["entry"] = kept.entry;
     if (!kept.failure.empty()) event["not_kept"] = kept.failure;
-    return line_of(event);
+    return event_line(event);
 }
 
 std::string gap_event(const LiveGap& gap, double begin) {
@@ -140,7 +140,7 @@ std::string gap_event(const LiveGap& gap, double begin) {
     event["at"] = gap.at;
     event["seconds"] = gap.seconds ? Json(*gap.seconds) : Json();
     event["why"] = gap.why;
-    return line_of(event);
+    return event_line(event);
 }
 
 std::string take_event(const hearing::LiveTake& take, const SoundReport& report, double begin) {
@@ -148,14 +148,14 @@ std::string take_event(const hearing::LiveTake& take, const SoundReport& report,
     event.update(
         Json{{"number", take.number}, {"from", take.from}, {"to", take.to}, {"ended_by", take_end_name(take.why)}});
     event["classify"] = classified_object(report);
-    return line_of(event);
+    return event_line(event);
 }
 
 std::string end_event(const LiveSum& sum, double begin) {
     Json event = live_opening("end", sum.heard, begin);
     event.update(
         Json{{"heard", sum.heard}, {"takes", sum.takes}, {"noises", sum.noises}, {"gaps", sum.gaps}, {"why", sum.why}});
-    return line_of(event);
+    return event_line(event);
 }
 
 }  // namespace stridor::io
