@@ -113,9 +113,10 @@ def main():
     for kind in KINDS:
         with open(os.path.join(out, kind, "table.csv"), "w", newline="") as text:
             writer = csv.writer(text)
-            writer.writerow(["file", "repository", "label", "expected", "confidence"])
+            columns = ["repository", "label", "expected", "confidence", "sha256"]
+            writer.writerow(["file", *columns])
             for name, row in zip(names, rows):
-                writer.writerow([name, *(row[key] for key in ("repository", "label", "expected", "confidence"))])
+                writer.writerow([name, *(row.get(key, "") for key in columns)])
 
 
 if __name__ == "__main__":

@@ -126,7 +126,7 @@ def draw_level(axes, samples, rate):
 
 DRAWN = {
     "tone_presence": draw_spectrogram, "tone_length": draw_spectrogram, "tone_wander": draw_spectrogram,
-    "comb": draw_spectrum, "centre": draw_spectrum, "spread": draw_spectrum, "impulsiveness": draw_wave,
+    "comb": draw_spectrum, "centre": draw_spectrum, "spread": draw_spectrum, "lone_impulses": draw_wave,
     "onset_rate": draw_onsets, "train": draw_onsets, "jerks": draw_onsets, "joint_jerks": draw_octaves,
     "beat": draw_beat, "level_spread": draw_level, "sounding": draw_level,
 }

@@ -1,14 +1,15 @@
 """Fits the ear of `stridor classify` and writes its numbers.
 
     python3 bench/ear/synthesise.py 150 FOLDER                 # 600 synthetic sounds with table.csv
-    python3 bench/ear/train.py --clips FOLDER=TABLE.csv ... --synthetic FOLDER \
+    python3 bench/ear/train.py --clips FOLDER=TABLE.csv ... --synthetic FOLDER [--no-friction FOLDER=TABLE.csv] \
         [--degraded FOLDER] [--aside FOLDER=TABLE.csv ...] [--out src/stridor/classification/ear_weights.hpp]
 
 TABLE.csv has the columns file, repository, label, expected ("squeak|creak") and confidence (high, low); files lie in
 FOLDER by their last name, or as the table says. The figures come from `stridor classify --json`; the model is the
-multinomial logistic regression of ear.hpp, with a quadratic penalty. A clip that may be several categories counts by
-the sum of their probabilities. Of the degraded copies, those in two rooms are learnt from too. First the model is
-cross-validated: each repository is heard by a model that has not met it, nor a copy of it. Then all is fitted. There is
+multinomial logistic regression of ear.hpp, with a quadratic penalty, in which rows of onsets argue for a creak more
+than for anything else. A clip that may be several categories counts by the sum of their probabilities. Of the degraded
+copies, those in two rooms are learnt from too. First the model is cross-validated: each repository is heard by a model
+that has not met it, nor a copy of it. Then all is fitted. There is
 no chance in it: the same clips give the same numbers.
 
 Needs NumPy and SciPy (Debian: python3-scipy).
@@ -30,13 +31,17 @@ import copies as same_sounds
 
 HEARD = ["rubbing", "other", "squeal", "squeak", "creak"]
 CATEGORIES = ["none", "squeal", "squeak", "creak"]
-PENALTY = 3.0  # on the squares of the weights
+PENALTY = 6.0  # on the squares of the weights
+NOISE = 3.0  # weight of a clip that is a noise, since there are five quiet ones to each
+NO_FRICTION = 0.3  # weight of a clip that is no friction and has a tone or impulses: heavier ones hide noises
+ROWS = {"train", "jerks", "joint_jerks"}  # figures of which the weight is greatest for a creak
 LOW_CONFIDENCE = 0.5  # weight of a clip of which its label is not sure
 SYNTHETIC = 0.5  # weight of all synthetic sounds over that of all clips
 ROOMS, IN_A_ROOM = ["room_0.3_s", "room_0.8_s"], 0.3  # copies that are learnt from, and the weight of one
 MOST_DEVIATIONS = 2.5  # as in ear.cpp
 LEAST_SHARE, QUIET_DEPTH = 0.2, 25.0  # thresholds of the verdict of the whole
 RUBBING = re.compile(r"scrap|slid|drag|brush|sand|rubb|writ|eras|saw|zip|wip|plan|scratch", re.I)
+CREAK = HEARD.index("creak")
 
 
 def passages_of(program, path):
@@ -59,8 +64,11 @@ def read_clips(program, folder, table, synthetic=False):
 
 
 def accepted(row):
-    """Which of HEARD a clip may be. Its label says whether its `none` is rubbing."""
+    """Which of HEARD a clip may be. Its label says whether its `none` is rubbing, unless it is known to be none."""
     result = np.zeros(len(HEARD))
+    if row.get("no_friction"):
+        result[1] = 1
+        return result
     for word in row["expected"].split("|"):
         if word == "none":
             result[0 if RUBBING.search(row["label"]) else 1] = 1
@@ -76,6 +84,10 @@ def design(clips, names):
     for place, (row, passages) in enumerate(clips):
         energy = np.array([passage["energy"] for passage in passages])
         weight = LOW_CONFIDENCE if row["confidence"] == "low" else 1.0
+        if not row["synthetic"] and "none" not in row["expected"].split("|"):
+            weight *= NOISE
+        if row.get("no_friction"):
+            weight *= NO_FRICTION
         for passage, here in zip(passages, energy):
             share = here / max(energy.sum(), 1e-300)
             if share < 1e-3:
@@ -96,23 +108,33 @@ def softmax(sums):
 
 
 class Model:
-    def __init__(self, figures, outcomes, weights):
+    def __init__(self, figures, outcomes, weights, names):
         self.mean = np.average(figures, axis=0, weights=weights)
         self.scale = np.sqrt(np.average((figures - self.mean) ** 2, axis=0, weights=weights))
         deviations = self.deviations(figures)
         shape = (figures.shape[1] + 1, len(HEARD))
+        bounded = np.zeros(shape, bool)  # what a creak's weight exceeds another one's by, in place of that one
+        bounded[[1 + names.index(name) for name in names if name in ROWS]] = True
+        bounded[:, CREAK] = False
+
+        def table_of(flat):
+            table = flat.reshape(shape)
+            return np.where(bounded, table[:, [CREAK]] - table, table)
 
         def loss(flat):
-            table = flat.reshape(shape)
+            table = table_of(flat)
             p = softmax(deviations @ table[1:] + table[0])
             likelihood = (p * outcomes).sum(axis=1) + 1e-12
             slope = (p - p * outcomes / likelihood[:, None]) * weights[:, None]
             gradient = np.vstack([slope.sum(axis=0), deviations.T @ slope + 2.0 * PENALTY * table[1:]])
+            gradient[:, CREAK] += (gradient * bounded).sum(axis=1)
+            gradient = np.where(bounded, -gradient, gradient)
             return -(weights * np.log(likelihood)).sum() + PENALTY * (table[1:] ** 2).sum(), gradient.ravel()
 
-        options = {"maxiter": 5000, "ftol": 1e-14, "gtol": 1e-9}
-        found = minimize(loss, np.zeros(shape[0] * shape[1]), jac=True, method="L-BFGS-B", options=options)
-        self.table = found.x.reshape(shape)
+        options = {"maxiter": 5000, "ftol": 1e-12, "gtol": 1e-7}
+        limits = [(0.0, None) if here else (None, None) for here in bounded.ravel()]
+        found = minimize(loss, np.zeros(bounded.size), jac=True, method="L-BFGS-B", bounds=limits, options=options)
+        self.table = table_of(found.x)
 
     def deviations(self, figures):
         return np.clip((figures - self.mean) / self.scale, -MOST_DEVIATIONS, MOST_DEVIATIONS)
@@ -123,10 +145,10 @@ class Model:
         return np.column_stack([p[:, 0] + p[:, 1], p[:, 2], p[:, 3], p[:, 4]])
 
 
-def fitted(real, synthetic):
+def fitted(real, synthetic, names):
     figures, outcomes, weights = (np.concatenate([a, b]) for a, b in zip(real[:3], synthetic[:3]))
     weights[len(real[2]):] *= SYNTHETIC * real[2].sum() / synthetic[2].sum()
-    return Model(figures, outcomes, weights)
+    return Model(figures, outcomes, weights, names)
 
 
 def decide(probabilities, energy):
@@ -161,7 +183,7 @@ def cross_validated(clips, learnt, synthetic, names, others=()):
     verdicts = [[None] * len(each) for each in lists]
     for repository in np.unique(repositories):
         known = met != repository
-        model = fitted((figures[known], outcomes[known], weights[known]), synthetic)
+        model = fitted((figures[known], outcomes[known], weights[known]), synthetic, names)
         for each, said in zip(lists, verdicts):
             for place, (row, passages) in enumerate(each):
                 if row["repository"] != repository:
@@ -231,6 +253,8 @@ def main():
     parser = argparse.ArgumentParser(description="Fits the ear and cross-validates it.")
     parser.add_argument("--program", default="build/stridor")
     parser.add_argument("--clips", action="append", required=True, metavar="FOLDER=TABLE.csv")
+    parser.add_argument("--no-friction", action="append", default=[], metavar="FOLDER=TABLE.csv",
+                        help="clips that are no friction, though they have a tone or impulses")
     parser.add_argument("--synthetic", required=True, metavar="FOLDER")
     parser.add_argument("--degraded", metavar="FOLDER",
                         help="copies by degrade.py, heard by the same models; those in rooms are learnt from")
@@ -238,8 +262,10 @@ def main():
                         help="clips kept aside to check with: a clip that is one of them, or a near copy, is refused")
     parser.add_argument("--out", metavar="FILE.hpp")
     options = parser.parse_args()
-    refuse_what_is_aside(options.clips, options.aside)
-    sets = [read_clips(options.program, *pair.split("=", 1)) for pair in options.clips]
+    pairs = [*options.clips, *options.no_friction]
+    refuse_what_is_aside(pairs, options.aside)
+    sets = [read_clips(options.program, *pair.split("=", 1)) for pair in pairs]
+    none = {row["sha256"] for each in sets[len(options.clips):] for row, _ in each}
     made = read_clips(options.program, options.synthetic, os.path.join(options.synthetic, "table.csv"), True)
     names = list(made[0][1][0]["figures"])
     synthetic = design(made, names)[:3]
@@ -247,16 +273,18 @@ def main():
     kinds = sorted(os.listdir(options.degraded)) if options.degraded else []
     copies = [read_clips(options.program, os.path.join(options.degraded, kind),
                          os.path.join(options.degraded, kind, "table.csv")) for kind in kinds]
+    for row, _ in [clip for each in [clips, *copies] for clip in each]:
+        row["no_friction"] = row["sha256"] in none
     learnt = with_copies(clips, [each for kind, each in zip(kinds, copies) if kind in ROOMS], names)
     verdicts, *of_copies = cross_validated(clips, learnt, synthetic, names, copies)
     first = 0
-    for pair, each in zip(options.clips, sets):
+    for pair, each in zip(pairs, sets):
         report(pair, each, verdicts[first:first + len(each)])
         first += len(each)
-    report("together", clips, verdicts)
-    for kind, each, said in zip(kinds, copies, of_copies):
-        report(kind, each, said)
-    model = fitted(learnt[:3], synthetic)
+    for kind, each, said in zip(["together", *kinds], [clips, *copies], [verdicts, *of_copies]):
+        friction = [not row["no_friction"] for row, _ in each]
+        report(kind, *([one for one, kept in zip(some, friction) if kept] for some in (each, said)))
+    model = fitted(learnt[:3], synthetic, names)
     if options.out:
         with open(options.out, "w") as text:
             text.write(header(model))

@@ -44,16 +44,18 @@ double spread(const Passage& p) {
     return p.tones.spread;
 }
 
-double impulsiveness(const Passage& p) {
-    return std::clamp(std::log2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
-}
-
 double onset_rate(const Passage& p) {
     return std::min(6.0, std::log2(2.0 + p.onsets.rate));
 }
 
+// rows at any pace
 double train(const Passage& p) {
-    return p.onsets.train;
+    return std::max(p.onsets.train, p.onsets.fast_train);
+}
+
+// impulses count against a creak only where they are in no row
+double lone_impulses(const Passage& p) {
+    return (1.0 - train(p)) * std::clamp(std::log2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
 }
 
 // of a row of seven or more in which the level rises fast and falls slowly
@@ -62,9 +64,10 @@ double jerks_of(double skewness, double longest_train) {
     return asymmetry / (1.0 + asymmetry) * std::min(1.0, std::log2(1.0 + longest_train) / 3.0);
 }
 
-// releases of stick and slip: a room takes of their height, less of their shape
+// releases of stick and slip, at the pace that shows them: a room takes of their height, less of their shape
 double jerks(const Passage& p) {
-    return jerks_of(p.onsets.skewness, p.onsets.longest_train);
+    return std::max(jerks_of(p.onsets.skewness, p.onsets.longest_train),
+                    jerks_of(p.onsets.fast_skewness, p.onsets.longest_fast_train));
 }
 
 double joint_jerks(const Passage& p) {
@@ -90,7 +93,7 @@ constexpr std::array<EarFigure, ear_figure_count> figure_table{
     EarFigure{"comb", "octave", "lines lie close together, as those of voices and engines", comb},
     EarFigure{"centre", "octave", "the power lies high", centre},
     EarFigure{"spread", "octave", "the power spreads over frequency", spread},
-    EarFigure{"impulsiveness", "octave", "impulses stand out", impulsiveness},
+    EarFigure{"lone_impulses", "octave", "impulses stand out that are in no row", lone_impulses},
     EarFigure{"onset_rate", "octave", "many onsets", onset_rate},
     EarFigure{"train", "1", "onsets follow each other at like intervals", train},
     EarFigure{"jerks", "1", "the level jumps up and falls off, again and again", jerks},

@@ -1,8 +1,9 @@
 #include "stridor/sound/passages.hpp"
 
-#include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/spectrum.hpp"
+#include "stridor/sound/part_squares.hpp"
+#include "stridor/sound/sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr double longest_rest = 1.0;     // [s] that the last passage takes in
 constexpr double least_duration = 0.02;  // [s]
 constexpr double impulse_frame = 0.005;  // [s] longer ones smear impulses, shorter ones lose the pitch of their ringing
 constexpr double impulse_band = 12e3;    // [Hz]
@@ -39,48 +39,6 @@ constexpr std::size_t sustained = 12;  // parts of a sustained level
 constexpr double level_jump = 6.0;     // [dB]
 constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
 
-// mean squares of 5 ms parts, the drive's motion taken away
-class StretchParts {
-public:
-    explicit StretchParts(double rate)
-        : section_(signal::high_pass(drive_corner, rate, 2).front()),
-          length_(std::max<std::size_t>(1, static_cast<std::size_t>(level_part * rate))) {}
-
-    std::size_t length() const { return length_; }
-
-    void push(std::span<const double> samples) {
-        if (!has_begun_ && !samples.empty()) begin(samples.front());
-        for (const double x : samples) {
-            const double y = section_.b0 * x + first_;
-            first_ = section_.b1 * x - section_.a1 * y + second_;
-            second_ = section_.b2 * x - section_.a2 * y;
-            sum_ += y * y;
-            if (++filled_ < length_) continue;
-            squares.push_back(sum_ / static_cast<double>(length_));
-            sum_ = 0.0;
-            filled_ = 0;
-        }
-    }
-
-    std::vector<double> squares{};  // of the parts not yet cut off
-
-private:
-    // as if the first sample had stood there for ever: that a recording begins is no noise
-    void begin(double x) {
-        has_begun_ = true;
-        first_ = -section_.b0 * x;
-        second_ = section_.b2 * x;
-    }
-
-    signal::Biquad section_;
-    std::size_t length_;
-    std::size_t filled_ = 0;
-    bool has_begun_ = false;
-    double sum_ = 0.0;
-    double first_ = 0.0;
-    double second_ = 0.0;
-};
-
 // The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All
 // of the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
 std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
@@ -104,13 +62,24 @@ std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
 }  // namespace
 
 struct PassageFinder::State {
-    explicit State(double the_rate) : rate(the_rate), finder(the_rate) {}
+    explicit State(double the_rate) : rate(the_rate), finder(the_rate), sections(the_rate) {}
 
-    void describe(std::span<const double> samples) {
+    void describe(const std::vector<SoundSection>& found) {
+        for (const SoundSection& section : found)
+            describe(section);
+        // what no section can hold any more
+        const std::uint64_t needed = std::min<std::uint64_t>(sections.needed(), forgotten + pending.size());
+        if (needed <= forgotten) return;
+        pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(needed - forgotten));
+        forgotten = needed;
+    }
+
+    void describe(const SoundSection& section) {
+        const std::span<const double> samples =
+            std::span(pending).subspan(section.from - forgotten, section.to - section.from);
         Passage passage;
-        passage.from = static_cast<double>(described) / rate;
+        passage.from = static_cast<double>(section.from) / rate;
         passage.duration = static_cast<double>(samples.size()) / rate;
-        described += samples.size();
         if (passage.duration < least_duration) return;
         passage.tones = finder.find(samples);
         passage.onsets = onsets_of(samples, rate);
@@ -127,8 +96,9 @@ struct PassageFinder::State {
 
     double rate;
     ToneFinder finder;
+    SectionFinder sections;
     std::vector<double> pending{};
-    std::uint64_t described = 0;
+    std::uint64_t forgotten = 0;  // samples before them
     std::vector<Passage> passages{};
     double loudest = 0.0;  // [unit²] A-weighted
     signal::Spectrogram impulses{};
@@ -142,14 +112,7 @@ PassageFinder& PassageFinder::operator=(PassageFinder&&) noexcept = default;
 void PassageFinder::push(std::span<const double> samples) {
     State& s = *state_;
     s.pending.insert(s.pending.end(), samples.begin(), samples.end());
-    const auto length = static_cast<std::size_t>(passage_time * s.rate);
-    const auto rest = static_cast<std::size_t>(longest_rest * s.rate);
-    std::size_t first = 0;
-    while (s.pending.size() - first > length + rest) {
-        s.describe(std::span(s.pending).subspan(first, length));
-        first += length;
-    }
-    s.pending.erase(s.pending.begin(), s.pending.begin() + static_cast<std::ptrdiff_t>(first));
+    s.describe(s.sections.push(samples));
 }
 
 std::span<const Passage> PassageFinder::found() const {
@@ -157,9 +120,14 @@ std::span<const Passage> PassageFinder::found() const {
 }
 
 std::vector<Passage> PassageFinder::finish() {
-    state_->describe(state_->pending);
-    state_->pending.clear();
-    return std::move(state_->passages);
+    State& s = *state_;
+    const std::vector<SoundSection> last = s.sections.finish();
+    for (const SoundSection& section : last)
+        s.describe(section);
+    // all is silent: there is one passage to say so
+    if (s.passages.empty() && last.empty()) s.describe(SoundSection{s.forgotten, s.forgotten + s.pending.size()});
+    s.pending.clear();
+    return std::move(s.passages);
 }
 
 const signal::Spectrogram& PassageFinder::impulses() const {
@@ -167,7 +135,7 @@ const signal::Spectrogram& PassageFinder::impulses() const {
 }
 
 struct StretchFinder::State {
-    explicit State(double the_rate) : rate(the_rate), finder(the_rate), parts(the_rate) {}
+    explicit State(double the_rate) : rate(the_rate), finder(the_rate), parts(the_rate, drive_corner, level_part) {}
 
     // describes all stretches that can be cut off; `end`: what is left is cut too
     enum class End { open, reached };
@@ -199,7 +167,7 @@ struct StretchFinder::State {
 
     double rate;
     FeatureFinder finder;
-    StretchParts parts;
+    PartSquares parts;
     std::vector<double> pending{};  // samples not yet described
     std::uint64_t described = 0;
     std::vector<SoundStretch> stretches{};

@@ -11,17 +11,15 @@
 
 namespace stridor::sound {
 
-/// A few seconds of a recording that the ear judges together: long enough for a row of impulses and for a tone that
-/// starts, stops and jumps.
+/// A few seconds of a recording in which something sounds, which the ear judges together: long enough for a row of
+/// impulses and for a tone that starts, stops and jumps. Passages are `SoundSection`s: none holds the pause before,
+/// behind or between sounds.
 struct Passage {
     double from = 0.0;      // [s]
     double duration = 0.0;  // [s]
     Tones tones;            // instants count from the recording's beginning
     Onsets onsets;          // instants count from the recording's beginning
 };
-
-/// The usual length of a passage [s]; the last one is up to a second longer.
-inline constexpr double passage_time = 3.0;
 
 /// Describes one channel passage by passage as its samples come. Its memory grows with onsets and tones.
 class PassageFinder {
@@ -38,7 +36,8 @@ public:
     /// Returns the passages that are complete so far, in time.
     std::span<const Passage> found() const;
 
-    /// Ends the recording and returns all passages, in time. A recording shorter than 20 ms has none.
+    /// Ends the recording and returns all passages, in time. One that is silent has one passage, its end; one shorter
+    /// than 20 ms has none.
     std::vector<Passage> finish();
 
     /// Returns the loudest passage through frames of 5 ms, up to 12 kHz: an impulse is a moment there, not a stripe.

@@ -1,5 +1,6 @@
 #include "stridor/classification/ear.hpp"
 
+#include "stridor/classification/ear_weights.hpp"
 #include "support/made_sounds.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <numeric>
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace stridor::classification {
 namespace {
@@ -25,6 +27,27 @@ Category heard_in(const signal::Signal& signal) {
 
 TEST(Ear, HearsATextbookCreak) {
     EXPECT_EQ(heard_in(support::creak()), Category::creak);
+}
+
+// clicks 10 to 150 times a second, whose pace glides
+TEST(Ear, FindsARowAtAnyPace) {
+    for (const double pace : {10.0, 20.0, 50.0, 100.0, 150.0}) {
+        std::vector<double> instants;
+        for (double t = 0.05; t < 1.9; t += 1.0 / (pace * (1.0 + 0.2 * support::sine(0.7 * t))))
+            instants.push_back(t);
+        signal::Signal clicks = support::sampled(2.0, [](double) { return 0.0; });
+        for (const double instant : instants)
+            for (std::size_t n = 0; n < 480; ++n) {
+                const double t = static_cast<double>(n) / clicks.rate;
+                clicks.samples[static_cast<std::size_t>(instant * clicks.rate) + n] +=
+                    std::exp(-t / 0.001) * (support::sine(2100.0 * t) + 0.7 * support::sine(4400.0 * t));
+            }
+        const EarVerdict verdict = hear(passage_of(signal::with_noise(clicks, 30.0, 5)));
+        for (std::size_t k = 0; k < ear_figure_count; ++k)
+            if (ear_figures()[k].name == "train") {
+                EXPECT_GT(verdict.values[k], 0.7) << pace;
+            }
+    }
 }
 
 TEST(Ear, HearsAHarmonicToneThatLasts) {
@@ -77,6 +100,20 @@ TEST(Ear, HearsTheSameAtAnyGain) {
     const EarVerdict quiet = hear(passage_of(soft));
     for (std::size_t h = 0; h < heard_names.size(); ++h)
         EXPECT_NEAR(loud.probabilities[h], quiet.probabilities[h], 1e-9);
+}
+
+// once a row is found, nothing that it adds to argues for another outcome than a creak
+TEST(Ear, LetsRowsArgueForACreakMost) {
+    const auto figures = ear_figures();
+    constexpr auto creak = static_cast<std::size_t>(EarOutcome::creak);
+    for (const std::string_view name : {"train", "jerks", "joint_jerks"}) {
+        const auto figure =
+            std::find_if(figures.begin(), figures.end(), [&](const EarFigure& f) { return f.name == name; });
+        ASSERT_NE(figure, figures.end());
+        const auto k = static_cast<std::size_t>(figure - figures.begin());
+        for (std::size_t h = 0; h < heard_names.size(); ++h)
+            EXPECT_GE(ear_weights[creak][k], ear_weights[h][k]) << name << ", " << heard_names[h];
+    }
 }
 
 TEST(Ear, NamesEachFigureOnce) {

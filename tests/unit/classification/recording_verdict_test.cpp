@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -112,8 +113,10 @@ TEST(RecordingVerdict, AbstainsBelowTheCertaintyAskedFor) {
 }
 
 TEST(RecordingVerdict, TakesWhatIsFarBelowForBackground) {
-    const RecordingVerdict verdict = verdict_on(analysed({support::squeal(3.0), softer(support::creak(), 1e-4)}), {});
+    const RecordingVerdict verdict = verdict_on(
+        analysed({support::squeal(3.0), softer(support::creak(), 1e-4), softer(support::creak(), 1e-4)}), {});
     EXPECT_EQ(verdict.category, Category::squeal);
+    ASSERT_GT(verdict.passages.size(), 1U);
     EXPECT_EQ(verdict.passages.back().category, Category::none);
 }
 
@@ -138,6 +141,29 @@ TEST(RecordingVerdict, IsOfTheChannelThatIsLoudestAboveTheDrive) {
     const std::vector<sound::SoundAnalysis> channels = sound::analyse(*signal::source_of({swing, tone}));
     EXPECT_EQ(sound::loudest(channels), 1U);
     EXPECT_EQ(verdict_on(channels[1], {}).category, Category::squeal);
+}
+
+signal::Signal cut(signal::Signal signal, double seconds) {
+    signal.samples.erase(signal.samples.begin(),
+                         signal.samples.begin() + static_cast<std::ptrdiff_t>(seconds * signal.rate));
+    return signal;
+}
+
+// the noise of a room or silence in front, behind and between, the sound twice, begun later or softer: it is the same
+TEST(RecordingVerdict, IsOfTheSoundAndNotOfThePause) {
+    for (const signal::Signal& sound : {support::creak(), support::squeal(2.0), support::hiss(2.0)}) {
+        const Category usual = verdict_on(analysed({sound}), {}).category;
+        for (const double pause : {0.2, 0.7, 2.0, 5.0})
+            for (const double factor : {0.0, 0.004}) {
+                const signal::Signal room = softer(support::hiss(pause), factor);
+                for (const auto& parts : {std::vector{room, sound}, std::vector{sound, room},
+                                          std::vector{sound, room, sound}, std::vector{room, sound, room}})
+                    EXPECT_EQ(verdict_on(analysed(parts), {}).category, usual) << pause << " s, " << factor;
+            }
+        EXPECT_EQ(verdict_on(analysed({sound, sound}), {}).category, usual);
+        EXPECT_EQ(verdict_on(analysed({cut(sound, 0.2)}), {}).category, usual);
+        EXPECT_EQ(verdict_on(analysed({softer(sound, 0.01)}), {}).category, usual);
+    }
 }
 
 TEST(RecordingVerdict, OfSilenceIsNone) {

@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numeric>
 #include <span>
+#include <vector>
 
 namespace stridor::sound {
 namespace {
@@ -19,19 +23,77 @@ std::vector<Passage> passages_of(const signal::Signal& signal, std::size_t block
     return finder.finish();
 }
 
-std::vector<double> durations(double seconds) {
+std::vector<double> durations(const signal::Signal& signal) {
     std::vector<double> found;
-    for (const Passage& passage : passages_of(support::hiss(seconds), 48000))
+    for (const Passage& passage : passages_of(signal, 48000))
         found.push_back(passage.duration);
     return found;
 }
 
-TEST(Passages, LastThreeSecondsAndTheLastUpToFour) {
-    EXPECT_EQ(durations(0.5), (std::vector{0.5}));
-    EXPECT_EQ(durations(4.0), (std::vector{4.0}));
-    EXPECT_EQ(durations(6.5), (std::vector{3.0, 3.5}));
-    EXPECT_EQ(durations(7.5), (std::vector{3.0, 3.0, 1.5}));
-    EXPECT_TRUE(durations(0.01).empty());
+signal::Signal joined(std::initializer_list<signal::Signal> parts) {
+    signal::Signal whole{parts.begin()->rate, signal::full_scale, {}};
+    for (const signal::Signal& part : parts)
+        whole.samples.insert(whole.samples.end(), part.samples.begin(), part.samples.end());
+    return whole;
+}
+
+signal::Signal softer(signal::Signal signal, double decibels) {
+    for (double& sample : signal.samples)
+        sample *= std::pow(10.0, -decibels / 20.0);
+    return signal;
+}
+
+TEST(Passages, LastUpToFourSeconds) {
+    EXPECT_EQ(durations(support::hiss(0.5)).size(), 1U);
+    EXPECT_EQ(durations(support::hiss(4.0)).size(), 1U);
+    const std::vector<double> parted = durations(support::hiss(12.0));
+    EXPECT_GE(parted.size(), 3U);
+    EXPECT_NEAR(std::accumulate(parted.begin(), parted.end(), 0.0), 12.0, 0.02);
+    for (const double duration : parted) {
+        EXPECT_GE(duration, 0.5);
+        EXPECT_LE(duration, 4.01);
+    }
+    EXPECT_TRUE(durations(support::hiss(0.01)).empty());
+}
+
+TEST(Passages, AreWhereTheSoundIs) {
+    const signal::Signal room = softer(support::hiss(1.3), 50.0);
+    const std::vector<Passage> found =
+        passages_of(joined({room, support::squeal(1.0), room, support::squeal(0.7), room}), 5000);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0].from, 1.3, 0.003);
+    EXPECT_NEAR(found[0].duration, 1.0, 0.01);
+    EXPECT_NEAR(found[1].from, 3.6, 0.003);
+    EXPECT_NEAR(found[1].duration, 0.7, 0.01);
+}
+
+// what is heard of a squeak between whose chirps it rests is one passage
+TEST(Passages, KeepShortPausesWithinASound) {
+    const signal::Signal rest = softer(support::hiss(0.4), 60.0);
+    EXPECT_EQ(durations(joined({support::squeal(0.3), rest, support::squeal(0.3), rest, support::squeal(0.3)})).size(),
+              1U);
+}
+
+// a pause of any length in front leaves what the passages say of the sound
+TEST(Passages, AreNotChangedByAPause) {
+    for (const signal::Signal& sound : {support::creak(), support::squeal(2.0)}) {
+        const Passage usual = passages_of(sound, 4096).front();
+        for (const double pause : {0.123, 0.7, 5.0})
+            for (const double depth : {50.0, 400.0}) {
+                const signal::Signal room = softer(support::hiss(pause), depth);
+                const std::vector<Passage> all = passages_of(joined({room, sound, room}), 4096);
+                // a room alone for more than 4 s is a passage of its own
+                const auto found = std::max_element(all.begin(), all.end(), [](const Passage& a, const Passage& b) {
+                    return a.tones.mean_square < b.tones.mean_square;
+                });
+                ASSERT_NE(found, all.end());
+                EXPECT_NEAR(found->duration, usual.duration, 0.02);
+                EXPECT_NEAR(found->tones.presence, usual.tones.presence, 0.02);
+                EXPECT_NEAR(found->onsets.train, usual.onsets.train, 0.05);
+                EXPECT_NEAR(found->onsets.beat, usual.onsets.beat, 0.2);
+                EXPECT_NEAR(std::log2(found->onsets.kurtosis), std::log2(usual.onsets.kurtosis), 0.1);
+            }
+    }
 }
 
 TEST(Passages, AreTheSameInBlocksOfAnySize) {
@@ -51,15 +113,18 @@ TEST(Passages, AreTheSameInBlocksOfAnySize) {
 }
 
 TEST(Passages, TellInstantsOfTheRecording) {
-    signal::Signal sound = support::hiss(3.0);
-    for (double& sample : sound.samples)
-        sample *= 1e-3;
-    const signal::Signal creak = support::creak();
-    sound.samples.insert(sound.samples.end(), creak.samples.begin(), creak.samples.end());
-    const std::vector<Passage> passages = passages_of(sound, 4800);
-    ASSERT_EQ(passages.size(), 2U);
-    EXPECT_NEAR(passages[1].onsets.instants.front(), 3.1, 0.005);
-    EXPECT_GT(passages[1].tones.pitch.empty() ? 3.0 : passages[1].tones.pitch.front().time, 2.99);
+    const std::vector<Passage> passages =
+        passages_of(joined({softer(support::hiss(3.0), 60.0), support::creak()}), 4800);
+    ASSERT_EQ(passages.size(), 1U);
+    EXPECT_NEAR(passages[0].onsets.instants.front(), 3.1, 0.1);
+    EXPECT_GT(passages[0].from, 2.99);
+}
+
+// all is silent: there is a passage to say so
+TEST(Passages, OfSilenceAreOne) {
+    const std::vector<Passage> passages = passages_of(support::sampled(9.0, [](double) { return 0.0; }), 4800);
+    ASSERT_EQ(passages.size(), 1U);
+    EXPECT_EQ(passages[0].tones.mean_square, 0.0);
 }
 
 }  // namespace

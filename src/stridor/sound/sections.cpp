@@ -1,0 +1,171 @@
+#include "stridor/sound/sections.hpp"
+
+#include "stridor/sound/part_squares.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+// All times are counted in parts of 10 ms. Whether something sounds in a part is known 4 s later. A section begins and
+// ends at a sample, so that a pause before a sound leaves its figures as they are.
+namespace stridor::sound {
+
+namespace {
+
+constexpr double section_part = 0.01;         // [s]
+constexpr double section_corner = 100.0;      // [Hz] below lies what nobody hears
+constexpr double highest_corner = 0.25;       // [1] of the rate, for that corner
+constexpr std::size_t around = 400;           // parts before and after that a level is held against
+constexpr double sounding_share = 1e-3;       // [1] 30 dB: what lies lower is a pause
+constexpr std::size_t longest_pause = 60;     // parts within a sound
+constexpr std::size_t shortest_section = 10;  // parts: a click needs what follows it
+constexpr std::size_t earliest_cut = 200;     // parts of a section that is too long
+constexpr std::size_t latest_cut = 350;       // parts
+constexpr std::size_t cut_width = 10;         // parts whose mean is the smallest there
+constexpr auto most_parts = static_cast<std::size_t>(longest_section / section_part);
+
+}  // namespace
+
+struct SectionFinder::State {
+    explicit State(double rate)
+        : squares(rate, std::min(section_corner, highest_corner * rate), 0.0),
+          length(std::max<std::size_t>(1, static_cast<std::size_t>(section_part * rate))) {}
+
+    enum class End { open, reached };
+
+    void take(std::span<const double> samples) {
+        count += samples.size();
+        squares.push(samples);
+        while (length * (levels.size() + 1) <= squares.squares.size()) {
+            const auto part = squares_of(levels.size());
+            levels.push_back(std::accumulate(part.begin(), part.end(), 0.0) / static_cast<double>(length));
+        }
+    }
+
+    // places count from the first part that is kept
+    std::span<const double> squares_of(std::size_t place) const {
+        return std::span(squares.squares).subspan(length * place, length);
+    }
+
+    // [unit²] what a level there must exceed to sound
+    double least_level(std::size_t place) const {
+        const std::size_t from = place - std::min(place, around);
+        const std::size_t to = std::min(levels.size(), place + around + 1);
+        const auto near = std::span(levels).subspan(from, to - from);
+        return sounding_share * *std::max_element(near.begin(), near.end());
+    }
+
+    std::uint64_t sample_of(std::size_t part, std::size_t within) const { return length * (dropped + part) + within; }
+
+    // where a section that is too long is quietest
+    std::size_t cut_of(std::size_t from) const {
+        const auto level = [&](std::size_t place) {
+            const auto here = std::span(levels).subspan(place - cut_width / 2, cut_width);
+            return std::accumulate(here.begin(), here.end(), 0.0);
+        };
+        std::size_t best = from + earliest_cut;
+        double least = level(best);
+        for (std::size_t k = best + 1; k < from + latest_cut; ++k)
+            if (const double here = level(k); here < least) {
+                least = here;
+                best = k;
+            }
+        return best;
+    }
+
+    void begin() {
+        const auto part = squares_of(decided);
+        const double least = least_level(decided);
+        const auto first = std::find_if(part.begin(), part.end(), [&](double level) { return level > least; });
+        begun = decided;
+        first_sample = sample_of(decided, static_cast<std::size_t>(first - part.begin()));
+    }
+
+    void go_on_sounding() {
+        const auto part = squares_of(decided);
+        const double least = least_level(decided);
+        const auto end = std::find_if(part.rbegin(), part.rend(), [&](double level) { return level > least; }).base();
+        last = decided;
+        end_sample = sample_of(decided, static_cast<std::size_t>(end - part.begin()));
+    }
+
+    void close() {
+        const std::size_t shortest = std::min(levels.size(), *begun + shortest_section);
+        sections.push_back({first_sample, std::max(end_sample, sample_of(shortest, 0))});
+        begun.reset();
+    }
+
+    void go_on(End end) {
+        const std::size_t known = levels.size();
+        const std::size_t ready = end == End::reached ? known : known - std::min(known, around);
+        for (; decided < ready; ++decided) {
+            if (begun && decided - last > longest_pause) close();
+            if (!(levels[decided] > least_level(decided))) continue;
+            if (!begun) begin();
+            go_on_sounding();
+            if (last + 1 - *begun <= most_parts) continue;
+            begun = cut_of(*begun);
+            sections.push_back({first_sample, sample_of(*begun, 0)});
+            first_sample = sections.back().to;
+        }
+        if (end == End::reached && begun) close();
+        forget();
+    }
+
+    // what nothing refers to any more
+    void forget() {
+        const std::size_t oldest = std::min(begun.value_or(decided), decided);
+        const std::size_t old = std::min(decided - std::min(decided, around), oldest);
+        if (old < around) return;
+        const auto samples = static_cast<std::ptrdiff_t>(length * old);
+        squares.squares.erase(squares.squares.begin(), squares.squares.begin() + samples);
+        levels.erase(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(old));
+        dropped += old;
+        decided -= old;
+        if (!begun) return;
+        *begun -= old;
+        last -= old;
+    }
+
+    PartSquares squares;                 // of samples
+    std::size_t length;                  // samples of a part
+    std::vector<double> levels{};        // [unit²] shape [part kept]
+    std::uint64_t dropped = 0;           // parts no longer kept
+    std::size_t decided = 0;             // the first part of which it is not known whether it sounds
+    std::optional<std::size_t> begun{};  // first part of the open section
+    std::size_t last = 0;                // its last part that sounds
+    std::uint64_t first_sample = 0;      // of it
+    std::uint64_t end_sample = 0;        // the first one after what sounds in it
+    std::vector<SoundSection> sections{};
+    std::uint64_t count = 0;  // samples
+};
+
+SectionFinder::SectionFinder(double rate) : state_(std::make_unique<State>(rate)) {}
+SectionFinder::~SectionFinder() = default;
+SectionFinder::SectionFinder(SectionFinder&&) noexcept = default;
+SectionFinder& SectionFinder::operator=(SectionFinder&&) noexcept = default;
+
+std::vector<SoundSection> SectionFinder::push(std::span<const double> samples) {
+    state_->take(samples);
+    state_->go_on(State::End::open);
+    return std::exchange(state_->sections, {});
+}
+
+std::vector<SoundSection> SectionFinder::finish() {
+    State& s = *state_;
+    s.go_on(State::End::reached);
+    const std::uint64_t whole = s.sample_of(s.levels.size(), 0);
+    for (SoundSection& section : s.sections)
+        // the rest after the last whole part belongs to what sounds there
+        if (section.to >= whole) section.to = s.count;
+    return std::exchange(s.sections, {});
+}
+
+std::uint64_t SectionFinder::needed() const {
+    const State& s = *state_;
+    return s.sample_of(s.begun.value_or(s.decided), 0);
+}
+
+}  // namespace stridor::sound
