@@ -49,9 +49,9 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
 std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& conditions,
                       const std::function<void(const std::string&)>& note);
 
-/// The same with the numbers of a law, "best" or by its name, fitted to the runs of each condition: its kind and delta
-/// are common. `note` is told what the data say. Throws `Error` (input) for the law "table", whose rows a pair has no
-/// place for, and what `friction_over_conditions` throws.
+/// Returns such rows with the numbers of a law, "best" or by its name, fitted to the runs of each condition: its kind
+/// and delta are common. `note` is told what the data say. Throws `Error` (input) for the law "table", for whose rows a
+/// pair has no place, and what `friction_over_conditions` throws.
 std::string pair_rows_of_law(const FrictionFitTexts& texts, const PairConditions& conditions, const std::string& law,
                              const std::function<void(const std::string&)>& note);
 

@@ -26,7 +26,7 @@ namespace {
     throw Error(ErrorKind::io, {"cannot read " + name, std::strerror(reason), ""});
 }
 
-/// How reading from a descriptor went: a number of bytes, 0 at its end, nothing where none are there.
+/// How reading from a descriptor went: a number of bytes, 0 at its end, `std::nullopt` if none are there.
 std::optional<std::size_t> read_some(int descriptor, std::span<char> into, const std::string& name) {
     for (;;) {
         const ssize_t count = ::read(descriptor, into.data(), into.size());
