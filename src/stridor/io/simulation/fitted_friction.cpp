@@ -109,6 +109,18 @@ auto at_file(const std::string& file, Function function) {
     }
 }
 
+// adds what a recording shows, and returns what it was measured with
+FrictionTest add_recording(analysis::FrictionPoints& points, const FrictionTexts& texts, std::size_t number,
+                           const analysis::FrictionTraceOptions& options,
+                           const std::function<void(const std::string&)>& note) {
+    return at_file(texts.file, [&] {
+        const RecordedFriction recorded = recorded_friction(texts, note);
+        const analysis::FrictionRun run{texts.file, recorded.measurement, recorded.test.velocity};
+        analysis::add_run(points, run, number, options);
+        return recorded.test;
+    });
+}
+
 // two quantities as they are written; nothing is known of both or of none
 bool is_same(const std::string& a, const std::string& b, std::string_view unit) {
     if (a.empty() || b.empty()) return a == b;
@@ -183,14 +195,8 @@ FittedFriction fitted_friction(const FrictionFitTexts& texts, const std::functio
     std::vector<analysis::FrictionAtTemperature> groups;
     for (const FrictionTexts& each : texts_of_files(texts)) {
         const std::size_t number = fitted.tests.size();
-        const RecordedFriction recorded = at_file(each.file, [&] { return recorded_friction(each, note); });
-        const analysis::FrictionRun run{each.file, recorded.measurement, recorded.test.velocity};
         analysis::FrictionPoints& points = points_at(groups, temperatures.empty() ? 0.0 : temperatures[number]);
-        at_file(each.file, [&] {
-            analysis::add_run(points, run, number, options);
-            return 0;
-        });
-        fitted.tests.push_back(recorded.test);
+        fitted.tests.push_back(add_recording(points, each, number, options, note));
     }
     for (const analysis::FrictionAtTemperature& group : groups)
         for (const std::string& each : group.data.notes)
@@ -282,15 +288,9 @@ std::string pair_rows_of_law(const FrictionFitTexts& texts, const PairConditions
         std::string source;
         double preload = 0.0;
         for (const std::size_t file : here.files) {
-            const RecordedFriction recorded =
-                at_file(each[file].file, [&] { return recorded_friction(each[file], note); });
-            const analysis::FrictionRun run{each[file].file, recorded.measurement, recorded.test.velocity};
-            at_file(each[file].file, [&] {
-                analysis::add_run(at.data, run, file, options);
-                return 0;
-            });
-            source += (source.empty() ? "" : ", ") + recorded.test.file;
-            preload = recorded.test.preload;
+            const FrictionTest test = add_recording(at.data, each[file], file, options, note);
+            source += (source.empty() ? "" : ", ") + test.file;
+            preload = test.preload;
         }
         for (const std::string& each_note : at.data.notes)
             note(each_note);
