@@ -1,6 +1,7 @@
 // Many recordings by ear from outside: a row each, whatever becomes of the others.
 
 #include "support/json_of.hpp"
+#include "support/lines.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -17,6 +18,7 @@
 using nlohmann::json;
 using stridor::support::Finished;
 using stridor::support::json_of;
+using stridor::support::lines_of;
 using stridor::support::read_text;
 using stridor::support::run;
 using stridor::support::ScratchFolder;
@@ -57,14 +59,6 @@ std::map<std::string, json> by_file(const json& document) {
     for (const json& row : document["recordings"])
         rows[row["file"]] = row;
     return rows;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
 }
 
 }  // namespace

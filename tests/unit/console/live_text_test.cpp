@@ -4,11 +4,11 @@
 
 #include "stridor/io/sound/live_events.hpp"
 #include "support/error_text.hpp"
+#include "support/lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,14 +17,7 @@ namespace stridor::console {
 namespace {
 
 using classification::Category;
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
+using support::lines_of;
 
 io::LiveInput input_of(std::size_t channels) {
     io::LiveInput input{"arecord hw:1,0", "16 bit, 48000 Hz", {48000.0, {}, {}}};
