@@ -188,9 +188,9 @@ endfunction()
 # cases would cost more than most of what they test, and cases that share a simulation make it once. In a debug build
 # each case is a CTest of its own. The longest (COST, what it takes under sanitizers) start first.
 # Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR (a string literal), and, with
-# PROGRAM, start the built program (support/process.hpp). Three targets build some of them: module_tests all without
-# PROGRAM, fast_tests those of them labelled fast, thread_tests what runs on several threads (THREADS); these have the
-# label `threads` as well under sanitizers: the thread sanitizer runs these alone.
+# PROGRAM, start the built program (support/process.hpp). Two targets build some of them: module_tests all without
+# PROGRAM, thread_tests what runs on several threads (THREADS); these have the label `threads` as well under sanitizers:
+# the thread sanitizer runs these alone.
 function(stridor_test name)
     cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM;THREADS" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES")
     stridor_check_arguments(stridor_test ${name})
@@ -221,9 +221,6 @@ function(stridor_test name)
         target_link_libraries(${target} PRIVATE stridor_test_program)
     else()
         add_dependencies(module_tests ${target})
-        if(ARG_LABEL STREQUAL "fast")
-            add_dependencies(fast_tests ${target})
-        endif()
     endif()
     if(CMAKE_BUILD_TYPE STREQUAL "Debug")
         gtest_discover_tests(${target}
