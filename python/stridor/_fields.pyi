@@ -31,6 +31,10 @@ class Joint(Section):
     axial_damping: Quantity
     flexural_damping: Quantity
     incidence_angle: Quantity
+    stiffening: Word
+    axial_cubic: Quantity
+    flexural_cubic: Quantity
+    axial_force: Word
     initial_tangential: Quantity
     initial_normal: Quantity
     initial_tangential_velocity: Quantity

@@ -61,6 +61,10 @@ StandingCase standing_alone(const io::TomlSource& source) {
     io::CaseReaders readers;
     readers.samples = [&](const std::string& path) { return recordings::read_sampled_csv(taken(path), path); };
     readers.friction = [&](const std::string& path) { return recordings::read_friction_csv(taken(path), path); };
+    readers.force = [&](const std::string& path) {
+        taken(path);
+        return recordings::read_force_file(path);
+    };
     readers.pair = [&](const std::string& path, const std::string& name) {
         taken(path);
         return io::read_material_pair(path, name);

@@ -97,7 +97,7 @@ Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     };
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
-    const io::CaseReaders keeping{keep, readers.structure, readers.friction, readers.pair};
+    const io::CaseReaders keeping{keep, readers.structure, readers.friction, readers.force, readers.pair};
     const parameters::Case c = io::read_case(document, keeping);
     preset.structure = c.own_structure;
     const io::AxisTexts axes = document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c);

@@ -83,12 +83,6 @@ void add_springs(Structure& structure, const parameters::Case& c) {
     }
 }
 
-// what springs push where u = 0 is held there by the load
-void hold_springs(Structure& structure) {
-    if (structure.springs.empty()) return;
-    structure.load += spring_forces(structure, Eigen::VectorXd::Zero(structure.load.size()));
-}
-
 void press_by_preload(Structure& structure, const parameters::Case& c) {
     for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
         ContactPoint& contact = structure.contacts[k];

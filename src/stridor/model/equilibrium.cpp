@@ -16,7 +16,7 @@ namespace {
 
 // each takes a third of the way where a spring that stiffens was stretched far too long
 constexpr int most_newton_steps = 128;
-constexpr double newton_rounding = 1e-14;  // [1] of the displacement
+constexpr double newton_rounding = 1e-14;  // [1] of the displacement, or of a tenth of what a structure moves usually
 constexpr double newton_end = 1e-10;       // [1] likewise: what has come no closer has come to no end
 
 Equilibrium linear_equilibrium(const Structure& structure, const std::vector<double>& ratios) {
@@ -77,12 +77,14 @@ Equilibrium equilibrium(const Structure& structure, const std::vector<double>& r
     if (structure.springs.empty()) return linear_equilibrium(structure, ratios);
     Equilibrium found{Eigen::VectorXd::Zero(dofs_of(structure)),
                       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(structure.contacts.size()))};
+    // it may rest where it is: then all that is found is rounding
+    const double least_size = 0.1 * displacement_scale(structure);
     double change = std::numeric_limits<double>::infinity(), size = 0.0;
     for (int step = 0; step < most_newton_steps && !(change <= newton_rounding * size); ++step) {
         const Equilibrium next = shortened(structure, ratios, found,
                                            linear_equilibrium(linearised_at(structure, found.displacement), ratios));
         change = (next.displacement - found.displacement).norm();
-        size = next.displacement.norm();
+        size = std::max(least_size, next.displacement.norm());
         found = next;
     }
     if (change <= newton_end * size) return found;

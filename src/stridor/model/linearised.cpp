@@ -1,5 +1,7 @@
 #include "stridor/model/linearised.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stridor::model {
@@ -18,6 +20,19 @@ Structure linearised_at(Structure structure, const Eigen::Ref<const Eigen::Vecto
 Structure linearised_at_rest(Structure structure) {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(dofs_of(structure));
     return linearised_at(std::move(structure), rest);
+}
+
+void hold_springs(Structure& structure) {
+    if (structure.springs.empty()) return;
+    structure.load += spring_forces(structure, Eigen::VectorXd::Zero(structure.load.size()));
+}
+
+double displacement_scale(const Structure& structure) {
+    const double stiffness = structure.stiffness.norm();
+    double scale = stiffness > 0.0 ? structure.load.norm() / stiffness : 0.0;
+    for (const Spring& spring : structure.springs)
+        scale = std::max(scale, std::abs(spring.rest) / spring.direction.norm());
+    return scale;
 }
 
 Eigen::VectorXd spring_forces(const Structure& structure, const Eigen::Ref<const Eigen::VectorXd>& displacement) {

@@ -15,6 +15,12 @@ Structure linearised_at(Structure structure, const Eigen::Ref<const Eigen::Vecto
 /// Returns the same next to the rest of a case, u = 0.
 Structure linearised_at_rest(Structure structure);
 
+/// Adds to the load what the springs push where u = 0, which it holds there.
+void hold_springs(Structure& structure);
+
+/// Returns about how far its load and springs move a structure [m]: what is smaller by many digits is rounding.
+double displacement_scale(const Structure& structure);
+
 /// Returns what the springs push against a displacement u [m], shape [dof]: sum of F(e) d [N].
 Eigen::VectorXd spring_forces(const Structure& structure, const Eigen::Ref<const Eigen::VectorXd>& displacement);
 

@@ -113,8 +113,8 @@ inline double next_force(const SpringLaw& law, SpringTerms& terms) {
     return std::visit([&](const auto& each) { return each.jet(terms); }, law);
 }
 
-/// Returns the elongation [m] at which `linear` [N/m] and the spring together push with a force [N] of at least 0;
-/// infinite where they never do.
+/// Returns the elongation [m] at which `linear` [N/m] and the spring together push with a force [N]; infinite where
+/// they never do.
 double elongation_under(const SpringLaw& law, double linear, double force);
 
 }  // namespace stridor::model

@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/model/linearised.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace stridor::model {
@@ -76,10 +77,12 @@ Equilibrium static_contact(const Structure& structure) {
     if (structure.springs.empty()) return linear_static_contact(structure);
     constexpr int most_steps = 128;
     constexpr double rounding = 1e-14, no_end = 1e-10;  // [1] of the displacement
+    const double least_size = 0.1 * displacement_scale(structure);
     Eigen::VectorXd at = Eigen::VectorXd::Zero(dofs_of(structure));
     for (int step = 0; step < most_steps; ++step) {
         const Equilibrium next = linear_static_contact(linearised_at(structure, at));
-        const double change = (next.displacement - at).norm(), size = next.displacement.norm();
+        const double change = (next.displacement - at).norm();
+        const double size = std::max(least_size, next.displacement.norm());
         at = next.displacement;
         if (change <= (step + 1 < most_steps ? rounding : no_end) * size) return next;
     }

@@ -16,6 +16,21 @@
 /// noises", Table 1, stand in the comments. The defaults are that table's squeal case.
 namespace stridor::parameters {
 
+/// A force over the deflection as measured.
+struct ForceTable {
+    std::string file{};  // a CSV with the columns deflection and force; empty: the rows stand in the case
+    std::vector<double> deflections{};  // [m] rising, shape [row]
+    std::vector<double> forces{};       // [N] there, never falling; shape [row]
+    bool operator==(const ForceTable&) const = default;
+};
+
+/// What a joint pushes with beside its stiffness, over how far it is pressed.
+enum class Stiffening {
+    none,
+    cubic,  // k3 e³ along its axis and across it
+    table,  // as measured, along its axis
+};
+
 /// Mass 1, the rubbed joint: a point mass on two springs and dashpots along and across its own axis.
 struct Joint {
     double mass = 0.1;                // [kg] m1
@@ -24,6 +39,10 @@ struct Joint {
     double axial_damping = 1.0;       // [N*s/m] c1i
     double flexural_damping = 1.0;    // [N*s/m] c1j
     double incidence_angle = 70.0;    // [deg] a, from the plate's x axis to i, counter-clockwise
+    Stiffening stiffening = Stiffening::none;
+    double axial_cubic = 0.0;     // [N/m³] cubic: k3i; below 0 it softens
+    double flexural_cubic = 0.0;  // [N/m³] cubic: k3j
+    ForceTable axial_force{};     // table
 };
 
 /// Mass 2, the plate: it bends across the contact (y) and is moved along it (x) by the drive.

@@ -174,12 +174,22 @@ Contact contact_of(const Case& c, std::size_t contact) {
     return laws;
 }
 
-const OwnSpring* find_nonlinear_spring(const Case& c) {
-    if (!c.own_structure) return nullptr;
-    const std::vector<OwnSpring>& springs = c.own_structure->springs;
-    const auto found = std::find_if(springs.begin(), springs.end(),
-                                    [](const OwnSpring& spring) { return kind_of(spring) != SpringKind::linear; });
-    return found == springs.end() ? nullptr : &*found;
+std::vector<std::string> names_of_springs(const Case& c) {
+    std::vector<std::string> names;
+    if (c.own_structure) {
+        for (const OwnSpring& spring : c.own_structure->springs)
+            if (kind_of(spring) != SpringKind::linear) names.push_back(spring.name);
+        return names;
+    }
+    for (const PlateJoint& each : c.joints) {
+        const std::string whose = has_several_joints(c) ? each.name + "." : "";
+        const Joint& joint = each.joint;
+        const bool is_cubic = joint.stiffening == Stiffening::cubic;
+        if (joint.stiffening == Stiffening::table || (is_cubic && joint.axial_cubic != 0.0))
+            names.push_back(whose + "axial");
+        if (is_cubic && joint.flexural_cubic != 0.0) names.push_back(whose + "flexural");
+    }
+    return names;
 }
 
 std::span<const OwnOutput> outputs_of(const Case& c) {

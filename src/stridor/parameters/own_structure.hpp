@@ -140,8 +140,10 @@ std::string contact_name(const Case& c, std::size_t contact);
 /// that the contact has itself, and its share of the preload.
 Contact contact_of(const Case& c, std::size_t contact);
 
-/// The first spring of a case that is not linear, whatever scales it; null if there is none.
-const OwnSpring* find_nonlinear_spring(const Case& c);
+/// Returns the names of the springs of a case that are not linear, in the order of `model::Structure::springs`,
+/// whatever scales them: of a structure those that it gives, of a joint "axial" and "flexural", of several
+/// "lip2.axial".
+std::vector<std::string> names_of_springs(const Case& c);
 
 /// Outputs of any case: those of its own structure, and none of joints.
 std::span<const OwnOutput> outputs_of(const Case& c);

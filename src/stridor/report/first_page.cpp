@@ -238,12 +238,17 @@ Section change_section(const DesignResults& results) {
     return section;
 }
 
+std::string kind_of_structure(const parameters::Case& c) {
+    return parameters::names_of_springs(c).empty() ? "a linear structure" : "a structure with springs that stiffen";
+}
+
 std::string foot(const parameters::Case& c) {
     const bool has_several = parameters::contact_count(c) > 1;
+    const std::string leaning = parameters::names_of_springs(c).empty() ? "" : " on springs that stiffen";
     const std::string model =
-        c.own_structure ? "a linear structure with " + std::string(has_several ? "points" : "one point") + " of contact"
-        : has_several   ? "joints on one plate, one point of contact each"
-                        : "one joint, one plate, one point of contact";
+        c.own_structure ? kind_of_structure(c) + " with " + (has_several ? "points" : "one point") + " of contact"
+        : has_several   ? "joints" + leaning + " on one plate, one point of contact each"
+                        : "one joint" + leaning + ", one plate, one point of contact";
     return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
            model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
            (parameters::has_named_contacts(c) ? "" : "several contacts ") +
@@ -252,8 +257,8 @@ std::string foot(const parameters::Case& c) {
 
 std::string sketch_caption(const parameters::Case& c) {
     if (c.own_structure)
-        return "The model: " + c.own_structure->origin +
-               ", a linear structure with its contacts, on a surface that moves under it.";
+        return "The model: " + c.own_structure->origin + ", " + kind_of_structure(c) +
+               " with its contacts, on a surface that moves under it.";
     return "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
 }
 

@@ -43,6 +43,7 @@ Case random_case() {
     }
     if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
     c.contact().friction_table = {"", {0.0, 0.05, 1e9}, std::vector<double>(3, 0.5 * c.contact().static_friction)};
+    c.joint().axial_force = {"", {0.0, 1.0}, {0.0, 1e6}};
     c.contact().kinetic_friction = c.contact().static_friction * 0.7;
     c.contact().kinetic_friction_coming = c.contact().static_friction_coming * 0.7;
     c.drive.ramp = 0.1 / c.drive.frequency;
@@ -53,6 +54,7 @@ Case random_case() {
     if (!parameters::is_state_wise(c.contact().friction)) c.run.engine = parameters::Engine::moreau;
     const bool creeps = parameters::has_friction_state(c.contact().friction);
     if (creeps) c.run.engine = parameters::Engine::exact;
+    if (c.run.engine != parameters::Engine::exact) c.joint().stiffening = parameters::Stiffening::none;
     if (creeps) c.contact().stribeck_exponent = std::floor(c.contact().stribeck_exponent);
     if (creeps || c.run.engine == parameters::Engine::moreau) c.contact().impact = parameters::ImpactKind::plastic;
     c.run.formulation = parameters::Formulation::standard;  // a joint has inertia

@@ -1,5 +1,6 @@
 #include "stridor/model/equilibrium.hpp"
 
+#include "stridor/model/linearised.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "support/property.hpp"
 
@@ -24,6 +25,20 @@ TEST(Equilibrium, AtRestIsThePreloadWithoutDisplacement) {
     const auto balance = equilibrium(rubbing_system({}), {0.0});
     EXPECT_NEAR(balance.normal_forces(0), 20.0, 1e-13);
     EXPECT_LT(balance.displacement.norm(), 1e-20);
+}
+
+// the springs hold it where it is: nothing but rounding is left to find
+RC_GTEST_PROP(Equilibrium, AtRestOnSpringsIsThePreloadToo, ()) {
+    Case c;
+    c.joint().incidence_angle = *support::number_between(20.0, 160.0);
+    c.contact().preload = *support::number_between(0.1, 1000.0);
+    c.joint().stiffening = parameters::Stiffening::cubic;
+    c.joint().axial_cubic = std::exp(*support::number_between(std::log(1e12), std::log(1e19)));
+    c.joint().flexural_cubic = 1e-3 * c.joint().axial_cubic;
+    const auto structure = rubbing_system(c);
+    const auto balance = equilibrium(structure, {0.0});
+    RC_ASSERT(std::abs(balance.normal_forces(0) - c.contact().preload) < 1e-10 * c.contact().preload);
+    RC_ASSERT(balance.displacement.norm() < 1e-10 * displacement_scale(structure));
 }
 
 TEST(Equilibrium, SlidingDigsInWhileGoingAndEasesWhileComing) {

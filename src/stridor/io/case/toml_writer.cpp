@@ -156,12 +156,9 @@ std::string describe_values(const parameters::Field& field) {
 }
 
 std::string toml_line(parameters::CaseView at, const Field& field) {
-    const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(at, field).empty();
     const auto* text = std::get_if<parameters::Text>(&field.kind);
-    const bool has_no_rows =
-        text != nullptr && text->means == parameters::Text::Means::numbers && text->get(at).empty();
-    if (has_no_rows) return std::string(field.name) + " = " + basic_string("0: 0.8, 10 mm/s: 0.7, 100 mm/s: 0.6");
-    return std::string(field.name) + " = " + (is_unknown_file ? basic_string("velocity.csv") : toml_value(at, field));
+    const bool is_unsaid = text != nullptr && !text->example.empty() && text->get(at).empty();
+    return std::string(field.name) + " = " + (is_unsaid ? basic_string(text->example) : toml_value(at, field));
 }
 
 namespace {

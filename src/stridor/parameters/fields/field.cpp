@@ -8,6 +8,7 @@
 #include "stridor/parameters/fields/field_belongs.hpp"
 #include "stridor/parameters/fields/field_ranges.hpp"
 #include "stridor/parameters/tables/damping_ratio.hpp"
+#include "stridor/parameters/tables/force_table.hpp"
 #include "stridor/parameters/tables/friction_table.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr std::array<std::string_view, 11> friction_names{
     "coulomb",   "directional", "linear", "stribeck", "stribeck-rational", "table", "lugre",
     "dieterich", "ruina",       "tanh",   "arctan"};
+constexpr std::array<std::string_view, 3> stiffening_names{"none", "cubic", "table"};
 constexpr std::array<std::string_view, 3> rest_names{"none", "logarithmic", "kato"};
 constexpr std::array<std::string_view, 2> creeping_names{"undecided", "judged"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
@@ -80,12 +82,18 @@ Field builder_field(std::string_view unit, Range range, std::string_view sentenc
 constexpr Text title{[](CaseView at) { return at.c.title; },
                      [](CaseToSet at, std::string_view text) { at.c.title = text; }};
 constexpr Text drive_file{[](CaseView at) { return at.c.drive.file; },
-                          [](CaseToSet at, std::string_view text) { at.c.drive.file = text; }, Text::Means::file};
+                          [](CaseToSet at, std::string_view text) { at.c.drive.file = text; }, Text::Means::file,
+                          "velocity.csv"};
 
 constexpr Text friction_table{
     [](CaseView at) { return friction_table_text(at.own().contact.friction_table); },
     [](CaseToSet at, std::string_view text) { at.own().contact.friction_table = parse_friction_table(text); },
-    Text::Means::numbers};
+    Text::Means::numbers, "0: 0.8, 10 mm/s: 0.7, 100 mm/s: 0.6"};
+
+constexpr Text axial_force{
+    [](CaseView at) { return force_table_text(at.own().joint.axial_force); },
+    [](CaseToSet at, std::string_view text) { at.own().joint.axial_force = parse_force_table(text); },
+    Text::Means::numbers, "0: 0, 1 mm: 2 N, 2 mm: 6 N"};
 
 // whoever names the pair again that is read already keeps what was read
 constexpr Text material_pair{[](CaseView at) { return material_pair_text(at.own().contact.pair); },
@@ -111,6 +119,16 @@ const std::array table{
           quantity<&PlateJoint::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
           quantity<&PlateJoint::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), has_joints},
+    Field{"joint", "stiffening", "", "what the joint pushes with beside its stiffness",
+          choice<&PlateJoint::joint, &Joint::stiffening, Stiffening>(stiffening_names, Choice::Canonical::unless_first),
+          has_joints},
+    Field{"joint", "axial_cubic", "k3i",
+          "growth of the axial force with the cube of the deflection; below 0 it softens",
+          quantity<&PlateJoint::joint, &Joint::axial_cubic>("N/m^3", any, octaves(1e16, 1e19)), has_cubic},
+    Field{"joint", "flexural_cubic", "k3j", "the same of the flexural force",
+          quantity<&PlateJoint::joint, &Joint::flexural_cubic>("N/m^3", any, octaves(1e14, 1e17)), has_cubic},
+    Field{"joint", "axial_force", "", "rows of deflection and axial force, \"0: 0, 1 mm: 2 N\", or their CSV file",
+          axial_force, has_axial_force},
     Field{"joint", "initial_tangential", "x1_0", "displacement along the plate at the start, from the preloaded rest",
           quantity<&PlateJoint::start, &JointStart::tangential>("m", any), has_given_joint},
     Field{"joint", "initial_normal", "y1_0", "displacement across the plate at the start; above y2_0 the gap is open",

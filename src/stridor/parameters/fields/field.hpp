@@ -67,6 +67,7 @@ struct Text {
     void (*set)(CaseToSet, std::string_view text);
     // a file is opened: who is not trusted may not name one; numbers decide the motion
     enum class Means { words, file, numbers } means = Means::words;
+    std::string_view example{};  // of what a case without one may say; empty: none
 };
 
 /// One settable thing.

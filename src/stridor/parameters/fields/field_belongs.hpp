@@ -15,6 +15,12 @@ inline bool always(CaseView) {
 inline bool has_joints(CaseView at) {
     return !at.c.own_structure;
 }
+inline bool has_cubic(CaseView at) {
+    return has_joints(at) && at.own().joint.stiffening == Stiffening::cubic;
+}
+inline bool has_axial_force(CaseView at) {
+    return has_joints(at) && at.own().joint.stiffening == Stiffening::table;
+}
 inline bool follows_temperature(CaseView at) {
     return !at.c.temperature.at.empty() ||
            std::any_of(at.c.joints.begin(), at.c.joints.end(),
@@ -30,7 +36,7 @@ inline bool has_own_structure(CaseView at) {
     return at.c.own_structure != nullptr;
 }
 inline bool has_springs(CaseView at) {
-    return find_nonlinear_spring(at.c) != nullptr;
+    return at.c.own_structure && !names_of_springs(at.c).empty();
 }
 inline bool has_preload(CaseView at) {
     return is_preloaded(at.c);

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/parameters/fields/field_ranges.hpp"
+#include "stridor/parameters/tables/force_table.hpp"
 
 #include <algorithm>
 #include <array>

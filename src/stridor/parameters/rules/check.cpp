@@ -50,6 +50,17 @@ double fastest_surface(const Drive& drive) {
     return most;
 }
 
+// a force as measured whose file nobody has read
+void check_axial_force(CaseView at, std::vector<Finding>& found) {
+    const Joint& joint = at.own().joint;
+    if (at.c.own_structure || joint.stiffening != Stiffening::table || !joint.axial_force.deflections.empty()) return;
+    const std::string why =
+        joint.axial_force.file.empty() ? "" : "the file \"" + joint.axial_force.file + "\" was not read";
+    found.push_back({"joint.axial_force",
+                     {"joint.axial_force has no rows", why, "Give rows, or a CSV file."},
+                     {"joint.stiffening"}});
+}
+
 // friction as measured: below mu_s, and over what the surface alone makes of it
 void check_friction_table(CaseView at, std::vector<Finding>& found) {
     const Contact& contact = at.own().contact;
@@ -392,6 +403,7 @@ std::vector<Finding> findings_at(CaseView at) {
     find_unsolvable(at, found);
     check_contact(at, found);
     check_friction_table(at, found);
+    check_axial_force(at, found);
     check_bristles(at, found);
     check_pair(at, found);
     check_temperature(at, found);

@@ -113,10 +113,10 @@ bool has_series(const Contact& contact) {
     return !is_regularised(contact.friction);
 }
 
-// beyond the paper's joint, and where friction changes with the slip velocity or with rest
+// beyond the paper's joint, where it stiffens, and where friction changes with the slip velocity or with rest
 bool needs_series(const Case& c) {
     return c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction) ||
-           grows_with_rest(c.contact());
+           grows_with_rest(c.contact()) || !names_of_springs(c).empty();
 }
 
 }  // namespace
@@ -182,10 +182,10 @@ std::vector<Asked> demands_of(CaseView at) {
             asked.push_back({Demand::two_tangents, where});
             if (contact.friction != FrictionKind::coulomb) asked.push_back({Demand::other_cone, where});
         }
-        if (const OwnSpring* spring = find_nonlinear_spring(c))
-            asked.push_back({Demand::other_springs, "spring \"" + spring->name + "\" is not"});
         if (is_by_force(c.drive) && !c.own_structure->force.empty()) asked.push_back({Demand::imposed_force});
     }
+    if (const std::vector<std::string> springs = names_of_springs(c); !springs.empty())
+        asked.push_back({Demand::other_springs, "spring \"" + springs.front() + "\" is not"});
     if (has_several_joints(c)) asked.push_back({Demand::several_contacts});
     if (contact.impact != ImpactKind::plastic) asked.push_back({Demand::other_impacts});
     if (!is_state_wise(contact.friction)) asked.push_back({Demand::other_friction});
@@ -209,6 +209,8 @@ DemandKeys keys_of(Demand demand) {
             return {"contact.rest", {"run.engine"}};
         case Demand::imposed_force:
             return {"run.engine", {"drive.kind"}};
+        case Demand::other_springs:
+            return {"run.engine", {"joint.stiffening"}};
         case Demand::massless_rows:
             return {"run.engine", {"run.formulation"}};
         case Demand::joint:
@@ -217,7 +219,6 @@ DemandKeys keys_of(Demand demand) {
         case Demand::own_structure:
         case Demand::any_size:
         case Demand::two_tangents:
-        case Demand::other_springs:
             break;
     }
     return {"run.engine"};

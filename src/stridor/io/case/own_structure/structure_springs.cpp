@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/fields/spring_field.hpp"
+#include "stridor/parameters/tables/force_table.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "stridor/io/case/own_structure/structure_springs.hpp"
 #include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/tables/force_table.hpp"
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include <algorithm>
