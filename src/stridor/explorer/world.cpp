@@ -27,6 +27,11 @@ io::TomlSource source_of(const Preset& preset) {
 }
 
 io::CaseReaders readers_of(const Preset& preset) {
+    const auto kept = [](const auto& tables, const auto& path, const char* what) {
+        const auto found = tables.find(path);
+        if (found == tables.end()) throw not_at_hand(what);
+        return found->second;
+    };
     return {[&preset](const std::string& path) {
                 if (!preset.samples_file.empty() && path == preset.samples_file) return preset.samples;
                 throw not_at_hand("the samples of this drive are");
@@ -34,6 +39,15 @@ io::CaseReaders readers_of(const Preset& preset) {
             [&preset](const io::TomlDocument& document) {
                 if (!preset.structure) throw not_at_hand("this structure is");
                 return preset.structure->recipe ? io::read_enclosed_structure(document) : preset.structure;
+            },
+            [&preset, kept](const std::string& path) {
+                return kept(preset.friction, path, "the rows of contact.friction_table are");
+            },
+            [&preset, kept](const std::string& path) {
+                return kept(preset.force, path, "the rows of joint.axial_force are");
+            },
+            [&preset, kept](const std::string& path, const std::string& name) {
+                return kept(preset.pairs, std::pair(path, name), "the rows of contact.pair are");
             }};
 }
 
@@ -97,7 +111,13 @@ Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     };
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
-    const io::CaseReaders keeping{keep, readers.structure, readers.friction, readers.force, readers.pair};
+    const io::CaseReaders keeping{
+        keep, readers.structure,
+        [&](const std::string& path) { return preset.friction[path] = readers.friction(path); },
+        [&](const std::string& path) { return preset.force[path] = readers.force(path); },
+        [&](const std::string& path, const std::string& name) {
+            return preset.pairs[{path, name}] = readers.pair(path, name);
+        }};
     const parameters::Case c = io::read_case(document, keeping);
     preset.structure = c.own_structure;
     const io::AxisTexts axes = document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c);

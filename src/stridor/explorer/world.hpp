@@ -5,10 +5,12 @@
 #include "stridor/sweep/study.hpp"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stridor::explorer {
@@ -21,6 +23,10 @@ struct Preset {
     std::vector<std::string> overrides{};  // "section.key=value", over the file's values
     std::string samples_file{};            // of its sampled drive, as read when the program started
     recordings::SampledMotion samples{};   // the content of that file
+    // its tables, as read then, by the paths of their files; of pairs by path and name
+    std::map<std::string, recordings::SampledFriction> friction{};
+    std::map<std::string, recordings::SampledForce> force{};
+    std::map<std::pair<std::string, std::string>, parameters::MaterialPair> pairs{};
     std::shared_ptr<const parameters::OwnStructure> structure{};  // its own, as read then; null: none
     std::optional<sweep::Study> study{};                          // the chart of its file, if it has one
 };
@@ -42,8 +48,8 @@ io::CaseReaders readers_of(const Preset& preset);
 /// Returns the four cases of Table 1.
 std::vector<Preset> paper_presets();
 
-/// Returns the preset of a file, with its samples and its structure, as these readers read them, and its chart. If the
-/// friction depends on the temperature, the preset has a chart over that; for an own structure it has one over a
+/// Returns the preset of a file, with its samples, tables and structure, as these readers read them, and its chart. If
+/// the friction depends on the temperature, the preset has a chart over that; for an own structure it has one over a
 /// quantity of the structure. Throws `Error` for a file that is not a case.
 Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers);
 

@@ -4,11 +4,15 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "support/canary.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -127,6 +131,47 @@ TEST_F(FilesTest, ASampledPresetKeepsTheSamplesItCameWith) {
     EXPECT_EQ(ask({"drive.kind=constant", "drive.velocity=0.1"}).status, 200);
     EXPECT_EQ(ask({"drive.file=" + canary_.pipe()}).status, 400);
     EXPECT_FALSE(canary_.was_opened());
+}
+
+// rows of a table have a colon, and a file may have one, too; of several joints each has keys of its own
+TEST_F(FilesTest, NoTableOpensOne) {
+    parameters::Case several = parameters::paper_case(parameters::PaperCase::squeal);
+    several.joints.push_back(several.joints.front());
+    several.joints[0].name = "lip", several.joints[1].name = "foot";
+    world_.presets.push_back({"several", io::case_toml(several), "several.toml"});
+    for (const std::string& file : {canary_.file(), canary_.pipe()})
+        for (const std::string& value : {file, file + ";", file + "; a: b", file + ": a", "./" + file + ";:"})
+            for (const auto& [preset, joint] : {std::pair("squeal", ""), std::pair("several", "joint.foot.")})
+                for (const auto& [key, choice] :
+                     {std::pair("contact.friction_table", "contact.friction=table"),
+                      std::pair("contact.pair", "contact.impact=plastic"),
+                      std::pair(*joint == 0 ? "joint.axial_force" : "axial_force", "joint.stiffening=table")}) {
+                    const std::string of_joint = *joint != 0 && std::string(choice).starts_with("joint.")
+                                                     ? "joint.foot.stiffening=table"
+                                                     : joint + std::string(choice);
+                    const json body{{"preset", preset}, {"set", {of_joint, joint + std::string(key) + "=" + value}}};
+                    const Response response = post("/api/toml", body);
+                    EXPECT_EQ(response.status, 400) << body << response.body;
+                    EXPECT_FALSE(canary_.was_opened()) << body;
+                    EXPECT_EQ(response.body.find(support::Canary::mark), std::string::npos) << body;
+                }
+}
+
+// tables were read when the program started, and are not again
+TEST_F(FilesTest, APresetKeepsTheTablesItCameWith) {
+    const support::ScratchFolder folder;
+    storage::write_file(folder / "rubber.csv", "speed,friction\n0,0.8\n0.1,0.6\n10,0.6\n");
+    storage::write_file(folder / "lip.csv", "deflection,force\n0,0\n1,2e6\n");
+    parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    c.contact().friction = parameters::FrictionKind::table;
+    c.contact().friction_table.file = "rubber.csv";
+    c.joint().stiffening = parameters::Stiffening::table;
+    c.joint().axial_force.file = "lip.csv";
+    world_.presets.push_back(preset_of({io::case_toml(c), folder / "case.toml", {}}, {}));
+    for (const char* file : {"rubber.csv", "lip.csv"})
+        std::filesystem::remove(folder / file);
+    const Response response = post("/api/toml", {{"preset", "file"}, {"set", {"contact.preload=30"}}});
+    EXPECT_EQ(response.status, 200) << response.body;
 }
 
 TEST_F(FilesTest, NoPresetNamesOne) {
