@@ -3,6 +3,7 @@
 
 #include "page_crew.hpp"
 #include "page_files.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/answers/seam.hpp"
 #include "stridor/explorer/world.hpp"
@@ -52,10 +53,23 @@ void carry(const Response& response) {
         part(response.body);
 }
 
+// a file that a case leans on was not chosen with it
+[[noreturn]] void tell_missing(const Error& error) {
+    throw Error(ErrorKind::input,
+                {error.problem().what, "it is not here: a page opens only what was chosen together",
+                 "Choose it together with the case, or use stridor explore."},
+                error.place());
+}
+
 // with the files that were kept for it
 Response opened(const std::string& text) {
     World world{paper_presets(), {}, 1};
-    world.presets.insert(world.presets.begin(), preset_of({text, "case.toml", {}}, {}));
+    try {
+        world.presets.insert(world.presets.begin(), preset_of({text, "case.toml", {}}, {}));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::io) throw;
+        tell_missing(error);
+    }
     Response response = start(world);  // reads every case once: a world that cannot be shown is not kept
     carrier().world = std::move(world);
     return response;

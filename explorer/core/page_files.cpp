@@ -3,8 +3,8 @@
 #include "page_files.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/io/structure/numpy_matrix.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/io/structure/zip_archive.hpp"
 #include "stridor/recordings/audio/audio.hpp"
 #include "stridor/recordings/audio/compressed_audio.hpp"
 #include "stridor/recordings/bytes.hpp"
@@ -66,7 +66,7 @@ private:
 namespace storage {
 
 void keep_file(const std::string& name, std::string bytes) {
-    kept_files()[last_part(name)] = std::make_shared<const std::string>(std::move(bytes));
+    kept_files()[name] = std::make_shared<const std::string>(std::move(bytes));
 }
 
 void forget_files() {
@@ -150,15 +150,17 @@ reduction::Reduction read_reduced_part(const std::string& path) {
 namespace structure {
 
 bool is_zip(std::string_view beginning) {
-    return beginning.starts_with("PK");
+    return beginning.starts_with("PK\x03\x04");
 }
 
-std::vector<ListedMatrix> read_npz(const StructureInput& input) {
-    throw not_read(input.name);
-}
-
-ListedMatrix read_npy(const StructureInput& input) {
-    throw not_read(input.name);
+// the page has unpacked it: its files stand below its name
+std::map<std::string, std::string> read_zip(const StructureInput& input) {
+    const std::string below = last_part(input.name) + "/";
+    std::map<std::string, std::string> members;
+    for (auto each = kept_files().lower_bound(below); each != kept_files().end() && each->first.starts_with(below);
+         ++each)
+        members.try_emplace(each->first.substr(below.size()), *each->second);
+    return members;
 }
 
 }  // namespace structure

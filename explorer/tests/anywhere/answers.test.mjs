@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { program } from "../browser/session.mjs";
 import { random } from "../unit/random.mjs";
+import { npyOf, zipOf } from "../unit/zip_writer.mjs";
 import { startCore } from "./core.mjs";
 import { compare, startServed } from "./served.mjs";
 
@@ -62,6 +63,20 @@ test("every answer on other kinds of cases has the same bytes", async (t) => {
   }
 });
 
+const ofMatrices = (stiffness, mass) => `[structure]
+stiffness = "${stiffness}"
+mass = "${mass}"
+damping_ratio = "1 %"
+contacts = "contacts.csv"
+[contact]
+preload = "5 N"
+static_friction = 0.8
+kinetic_friction = 0.3
+[drive]
+kind = "constant"
+velocity = "20 mm/s"
+`;
+
 /** Cases that lean on other files, by what they lean on. */
 const leaning = {
   "the samples of a drive": {
@@ -73,23 +88,35 @@ const leaning = {
     files: { "speed.csv": "time [s],velocity [m/s]\n0,0\n0.5,0.2\n1.5,-0.1\n5,0.1\n" },
   },
   "matrices and a table of contacts": {
-    toml: () => `[structure]
-stiffness = "k.csv"
-mass = "folder/m.csv"
-damping_ratio = "1 %"
-contacts = "contacts.csv"
-[contact]
-preload = "5 N"
-static_friction = 0.8
-kinetic_friction = 0.3
-[drive]
-kind = "constant"
-velocity = "20 mm/s"
-`,
+    toml: () => ofMatrices("k.csv", "folder/m.csv"),
     files: {
       "k.csv": "1e5,-4e4\n-4e4,2e5\n",
       "m.csv": "0.1,0\n0,0.1\n",
       "contacts.csv": "name,normal,tangent\nfoot,u2,u1\n",
+    },
+  },
+  "a sparse and a dense matrix of NumPy": {
+    toml: () => ofMatrices("k.npz", "folder/m.npy"),
+    files: {
+      "k.npz": zipOf({
+        "indices.npy": npyOf("i4", "(4,)", [0, 1, 0, 1]),
+        "indptr.npy": npyOf("i4", "(3,)", [0, 2, 4]),
+        "format.npy": npyOf("S3", "()", "csr"),
+        "shape.npy": npyOf("i8", "(2,)", [2, 2]),
+        "data.npy": npyOf("f8", "(4,)", [1e5, -4e4, -4e4, 2e5]),
+      }),
+      "m.npy": npyOf("f8", "(2, 2)", [0.1, 0, 0, 0.1]),
+      "contacts.csv": "name,normal,tangent\nfoot,2,1\n",
+    },
+  },
+  "an archive of dense matrices": {
+    toml: () => ofMatrices("folder/part.npz:K", "folder/part.npz:M"),
+    files: {
+      "part.npz": zipOf(
+        { "K.npy": npyOf("f8", "(2, 2)", [1e5, -4e4, -4e4, 2e5]), "M.npy": npyOf("f8", "(2, 2)", [0.1, 0, 0, 0.1]) },
+        { deflated: false },
+      ),
+      "contacts.csv": "name,normal,tangent\nfoot,2,1\n",
     },
   },
 };
@@ -104,11 +131,11 @@ for (const [what, { toml, files }] of Object.entries(leaning))
     const [served, core] = [await startServed([file]), await startCore()];
     t.after(() => served.stop());
     const [first] = Object.keys(files);
-    const lacking = core.open(toml(), Object.fromEntries(Object.entries(files).slice(1)));
+    const lacking = await core.open(toml(), Object.fromEntries(Object.entries(files).slice(1)));
     assert.equal(lacking.status, 400);
     assert.match(lacking.bytes.toString(), new RegExp(`${first}.*is not here`));
     assert.match(lacking.bytes.toString(), /Choose it together with the case/);
-    const opened = core.open(toml(), files);
+    const opened = await core.open(toml(), files);
     assert.equal(opened.status, 200, opened.bytes.toString());
     for (const path of ["/api/simulate", "/api/motion", "/api/toml"])
       await compare(served, core, path, { preset: "file", set: [] });

@@ -10,14 +10,17 @@ export const built = process.env.STRIDOR_CORE ?? join(explorer, "../build-page")
 /** A core that answers: `ask(path, body)` gives {status, bytes}. */
 export async function startCore() {
   const { outputFiles } = await build({
-    entryPoints: [join(explorer, "src/anywhere/module.ts")],
+    stdin: {
+      contents: 'export { Core } from "./module.ts"; export { unpacked } from "./opened.ts";',
+      resolveDir: join(explorer, "src/anywhere"),
+    },
     bundle: true,
     write: false,
     format: "esm",
     logLevel: "warning",
   });
   const url = `data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`;
-  const { Core } = await import(url);
+  const { Core, unpacked } = await import(url);
   const core = new Core(await WebAssembly.compile(await readFile(join(built, "core.wasm"))));
   const heard = (asking) => {
     const parts = [];
@@ -28,8 +31,13 @@ export async function startCore() {
   return {
     ask: (path, body) => heard((told) => core.ask(path, typeof body === "string" ? body : JSON.stringify(body), told)),
     /** Opens a case (TOML) with files beside it: bytes by name. */
-    open(toml, files = {}) {
-      const held = Object.entries(files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]);
+    async open(toml, files = {}) {
+      const each = Object.entries(files).map(([name, content]) =>
+        unpacked(name, Uint8Array.from(Buffer.from(content))),
+      );
+      const held = (await Promise.all(each))
+        .flat()
+        .map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]);
       return heard((told) => core.open(JSON.stringify({ toml, files: Object.fromEntries(held) }), told));
     },
     hear: (name, bytes) => heard((told) => core.hear(name, bytes, told)),

@@ -55,7 +55,7 @@ test(`${cases} random cases have answers of the same bytes`, { timeout: 3_600_00
     if (kind) execFileSync(program, ["init", kind, "-o", file]);
     const [served, core] = [await startServed(kind ? [file] : []), await startCore()];
     t.after(() => served.stop());
-    if (kind) assert.equal(core.open(await readFile(file, "utf8")).status, 200);
+    if (kind) assert.equal((await core.open(await readFile(file, "utf8"))).status, 200);
     const { presets } = JSON.parse(core.ask("/api/start", "").bytes);
     const share = Math.floor(cases / kinds.length) + (k < cases % kinds.length ? 1 : 0);
     for (let n = 0; n < share; ++n) {

@@ -12,6 +12,7 @@
 #include "stridor/io/structure/numpy_array.hpp"
 #include "stridor/io/structure/numpy_matrix.hpp"
 #include "stridor/io/structure/row_labels.hpp"
+#include "stridor/io/structure/zip_archive.hpp"
 #include "stridor/recordings/raw_signal.hpp"
 
 #include <fmt/format.h>
