@@ -279,9 +279,20 @@ std::size_t SignalFile::read(std::span<double> frames) {
     STRIDOR_EXPECT(frames.size() % width == 0);
     block_.resize(frames.size() / width * file_width);
     const std::size_t count = raw_.source->read(block_);
-    for (std::size_t frame = 0; frame < count; ++frame)
+    bool are_samples = true;
+    for (std::size_t k = 0; k < width; ++k) {
+        const double scale = facts_.full_scales[k].value;
+        const double* from = block_.data() + picked_[k];
+        double* to = frames.data() + k;
+        for (std::size_t frame = 0; frame < count; ++frame) {
+            to[frame * width] = from[frame * file_width] * scale;
+            are_samples = are_samples & signal::is_sample(to[frame * width]);
+        }
+    }
+    // the first that is none says so
+    for (std::size_t frame = 0; frame < count && !are_samples; ++frame)
         for (std::size_t k = 0; k < width; ++k)
-            frames[frame * width + k] = sample(frame * file_width + picked_[k], k);
+            static_cast<void>(sample(frame * file_width + picked_[k], k));
     frames_ += count;
     return count;
 }

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/signal/running_biquad.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,24 +106,6 @@ std::vector<Biquad> low_pass(double corner, double rate, int order) {
 std::vector<Biquad> high_pass(double corner, double rate, int order) {
     return butterworth(Kind::high, corner, rate, order);
 }
-
-namespace {
-
-// one section at work
-struct RunningBiquad {
-    Biquad biquad;
-    double first = 0.0;
-    double second = 0.0;
-
-    double next(double x) {
-        const double y = biquad.b0 * x + first;
-        first = biquad.b1 * x - biquad.a1 * y + second;
-        second = biquad.b2 * x - biquad.a2 * y;
-        return y;
-    }
-};
-
-}  // namespace
 
 std::vector<double> filtered(std::span<const double> samples, std::span<const Biquad> sections) {
     std::vector<double> result(samples.begin(), samples.end());

@@ -1,6 +1,7 @@
 #include "stridor/signal/fourier.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/clones.hpp"
 #include "stridor/base/elementary.hpp"
 
 #include <unsupported/Eigen/FFT>
@@ -26,8 +27,8 @@ namespace {
 constexpr std::size_t gap = 8;
 
 // the stage in which s is 1: the numbers' parts still take turns, and `w` holds six rows
-void first_stage(const double* __restrict x, double* __restrict real, double* __restrict imaginary, std::size_t quarter,
-                 const double* __restrict w) {
+STRIDOR_CLONES void first_stage(const double* __restrict x, double* __restrict real, double* __restrict imaginary,
+                                std::size_t quarter, const double* __restrict w) {
 #pragma omp simd
     for (std::size_t p = 0; p < quarter; ++p) {
         const double* a = x + 2 * p;
@@ -69,47 +70,116 @@ struct Results {
     double* imaginary;
 };
 
-// One p of a later stage: x and y begin at its numbers, which lie `apart` from quarter to quarter.
-template <typename Turn>
-void butterflies(Numbers x, std::size_t apart, Results y, std::size_t s, const Turn* w) {
-    const Turn one = w[0];
-    const Turn two = w[1];
-    const Turn three = w[2];
+// A later stage, of s transforms side by side: s is a multiple of four. The numbers of a butterfly lie `apart`.
+inline void butterflies(Numbers x, std::size_t apart, Results y, std::size_t s, const base::SineCosine* w) {
+    const base::SineCosine one = w[0];
+    const base::SineCosine two = w[1];
+    const base::SineCosine three = w[2];
+    const double* __restrict from_r = x.real;
+    const double* __restrict from_i = x.imaginary;
+    double* __restrict to_r = y.real;
+    double* __restrict to_i = y.imaginary;
+    for (std::size_t first = 0; first < s; first += 4)
 #pragma omp simd
-    for (std::size_t q = 0; q < s; ++q) {
-        const double even_r = x.real[q] + x.real[q + 2 * apart];
-        const double even_i = x.imaginary[q] + x.imaginary[q + 2 * apart];
-        const double odd_r = x.real[q + apart] + x.real[q + 3 * apart];
-        const double odd_i = x.imaginary[q + apart] + x.imaginary[q + 3 * apart];
-        const double left_r = x.real[q] - x.real[q + 2 * apart];
-        const double left_i = x.imaginary[q] - x.imaginary[q + 2 * apart];
-        const double right_r = x.real[q + apart] - x.real[q + 3 * apart];
-        const double right_i = x.imaginary[q + apart] - x.imaginary[q + 3 * apart];
-        const double one_r = left_r + right_i;
-        const double one_i = left_i - right_r;
-        const double two_r = even_r - odd_r;
-        const double two_i = even_i - odd_i;
-        const double three_r = left_r - right_i;
-        const double three_i = left_i + right_r;
-        y.real[q] = even_r + odd_r;
-        y.real[q + s] = one.cosine * one_r - one.sine * one_i;
-        y.real[q + 2 * s] = two.cosine * two_r - two.sine * two_i;
-        y.real[q + 3 * s] = three.cosine * three_r - three.sine * three_i;
-        y.imaginary[q] = even_i + odd_i;
-        y.imaginary[q + s] = one.cosine * one_i + one.sine * one_r;
-        y.imaginary[q + 2 * s] = two.cosine * two_i + two.sine * two_r;
-        y.imaginary[q + 3 * s] = three.cosine * three_i + three.sine * three_r;
-    }
+        for (std::size_t q = first; q < first + 4; ++q) {
+            const double even_r = from_r[q] + from_r[q + 2 * apart];
+            const double even_i = from_i[q] + from_i[q + 2 * apart];
+            const double odd_r = from_r[q + apart] + from_r[q + 3 * apart];
+            const double odd_i = from_i[q + apart] + from_i[q + 3 * apart];
+            const double left_r = from_r[q] - from_r[q + 2 * apart];
+            const double left_i = from_i[q] - from_i[q + 2 * apart];
+            const double right_r = from_r[q + apart] - from_r[q + 3 * apart];
+            const double right_i = from_i[q + apart] - from_i[q + 3 * apart];
+            const double one_r = left_r + right_i;
+            const double one_i = left_i - right_r;
+            const double two_r = even_r - odd_r;
+            const double two_i = even_i - odd_i;
+            const double three_r = left_r - right_i;
+            const double three_i = left_i + right_r;
+            to_r[q] = even_r + odd_r;
+            to_r[q + s] = one.cosine * one_r - one.sine * one_i;
+            to_r[q + 2 * s] = two.cosine * two_r - two.sine * two_i;
+            to_r[q + 3 * s] = three.cosine * three_r - three.sine * three_i;
+            to_i[q] = even_i + odd_i;
+            to_i[q + s] = one.cosine * one_i + one.sine * one_r;
+            to_i[q + 2 * s] = two.cosine * two_i + two.sine * two_r;
+            to_i[q + 3 * s] = three.cosine * three_i + three.sine * three_r;
+        }
+}
+
+// all butterflies of a stage that has n numbers left to a transform
+STRIDOR_CLONES void later_stage(Numbers x, Results y, std::size_t n, std::size_t s, const base::SineCosine* w) {
+    for (std::size_t p = 0; p < n / 4; ++p)
+        butterflies(Numbers{x.real + s * p, x.imaginary + s * p}, n * s / 4,
+                    Results{y.real + 4 * s * p, y.imaginary + 4 * s * p}, s, w + 3 * p);
 }
 
 // the last stage, of radix 2, where half the size is no power of four
-void pairs(Numbers x, Results y, std::size_t s) {
+STRIDOR_CLONES void pairs(Numbers x, Results y, std::size_t s) {
 #pragma omp simd
     for (std::size_t q = 0; q < s; ++q) {
         y.real[q] = x.real[q] + x.real[q + s];
         y.real[q + s] = x.real[q] - x.real[q + s];
         y.imaginary[q] = x.imaginary[q] + x.imaginary[q + s];
         y.imaginary[q + s] = x.imaginary[q] - x.imaginary[q + s];
+    }
+}
+
+// The lines of a frame out of the transform of its half as many complex numbers; a line's parts take turns.
+STRIDOR_CLONES void lines_of(Numbers z, std::size_t half, const base::SineCosine* __restrict turn,
+                             double* __restrict spectrum) {
+    const double* __restrict re = z.real;
+    const double* __restrict im = z.imaginary;
+    spectrum[0] = re[0] + im[0];
+    spectrum[1] = 0.0;
+    spectrum[2 * half] = re[0] - im[0];
+    spectrum[2 * half + 1] = 0.0;
+#pragma omp simd
+    for (std::size_t k = 1; k <= half / 2; ++k) {
+        const std::size_t mirror = half - k;
+        const double even_r = 0.5 * (re[k] + re[mirror]);
+        const double even_i = 0.5 * (im[k] - im[mirror]);
+        const double odd_r = 0.5 * (im[k] + im[mirror]);
+        const double odd_i = 0.5 * (re[mirror] - re[k]);
+        const double turned_r = turn[k].cosine * odd_r - turn[k].sine * odd_i;
+        const double turned_i = turn[k].cosine * odd_i + turn[k].sine * odd_r;
+        spectrum[2 * k] = even_r + turned_r;
+        spectrum[2 * k + 1] = even_i + turned_i;
+        spectrum[2 * mirror] = even_r - turned_r;
+        spectrum[2 * mirror + 1] = turned_i - even_i;
+    }
+}
+
+// The complex numbers whose transform holds the samples of a frame, with real and imaginary parts swapped.
+STRIDOR_CLONES void numbers_of(const double* __restrict spectrum, std::size_t half,
+                               const base::SineCosine* __restrict turn, double* __restrict numbers) {
+    const double scale = 0.5 / static_cast<double>(half);
+    numbers[0] = scale * (spectrum[0] - spectrum[2 * half]);
+    numbers[1] = scale * (spectrum[0] + spectrum[2 * half]);
+#pragma omp simd
+    for (std::size_t k = 1; k <= half / 2; ++k) {
+        const std::size_t mirror = half - k;
+        const double even_r = spectrum[2 * k] + spectrum[2 * mirror];
+        const double even_i = spectrum[2 * k + 1] - spectrum[2 * mirror + 1];
+        const double left_r = spectrum[2 * k] - spectrum[2 * mirror];
+        const double left_i = spectrum[2 * k + 1] + spectrum[2 * mirror + 1];
+        const double odd_r = turn[k].cosine * left_r + turn[k].sine * left_i;
+        const double odd_i = turn[k].cosine * left_i - turn[k].sine * left_r;
+        numbers[2 * k] = scale * (even_i + odd_r);
+        numbers[2 * k + 1] = scale * (even_r - odd_i);
+        numbers[2 * mirror] = scale * (odd_r - even_i);
+        numbers[2 * mirror + 1] = scale * (even_r + odd_i);
+    }
+}
+
+// the parts swapped back
+STRIDOR_CLONES void samples_of(Numbers z, std::size_t half, double* __restrict frame) {
+    const double* __restrict re = z.real;
+    const double* __restrict im = z.imaginary;
+#pragma omp simd
+    for (std::size_t n = 0; n < half; ++n) {
+        frame[2 * n] = im[n];
+        frame[2 * n + 1] = re[n];
     }
 }
 
@@ -174,7 +244,7 @@ RadixFour::RadixFour(std::size_t size)
     STRIDOR_EXPECT(takes(size));
     const auto turn = [](std::size_t k, std::size_t n) {
         const base::SineCosine angle = base::sine_cosine_of_turns(static_cast<double>(k) / static_cast<double>(n));
-        return Turn{angle.cosine, -angle.sine};
+        return base::SineCosine{-angle.sine, angle.cosine};
     };
     const std::size_t quarter = half_ / 4;
     first_.resize(6 * quarter);
@@ -193,14 +263,13 @@ RadixFour::RadixFour(std::size_t size)
 
 void RadixFour::transform(const double* numbers) {
     first_stage(numbers, real(here_), imaginary(here_), half_ / 4, first_.data());
-    const Turn* w = later_.data();
+    const base::SineCosine* w = later_.data();
     std::size_t s = 4;
     std::size_t n = half_ / 4;
     for (; n >= 4; n /= 4, s *= 4) {
-        for (std::size_t p = 0; p < n / 4; ++p, w += 3)
-            butterflies(Numbers{real(here_) + s * p, imaginary(here_) + s * p}, half_ / 4,
-                        Results{real(there_) + 4 * s * p, imaginary(there_) + 4 * s * p}, s, w);
+        later_stage(Numbers{real(here_), imaginary(here_)}, Results{real(there_), imaginary(there_)}, n, s, w);
         std::swap(here_, there_);
+        w += 3 * (n / 4);
     }
     if (n == 2) {
         pairs({real(here_), imaginary(here_)}, {real(there_), imaginary(there_)}, s);
@@ -211,48 +280,14 @@ void RadixFour::transform(const double* numbers) {
 void RadixFour::forward(std::span<const double> frame, std::span<std::complex<double>> spectrum) {
     STRIDOR_EXPECT(frame.size() == 2 * half_ && spectrum.size() == half_ + 1);
     transform(frame.data());
-    const double* re = real(here_);
-    const double* im = imaginary(here_);
-    spectrum[0] = re[0] + im[0];
-    spectrum[half_] = re[0] - im[0];
-    for (std::size_t k = 1; k <= half_ / 2; ++k) {
-        const std::size_t mirror = half_ - k;
-        const double even_r = 0.5 * (re[k] + re[mirror]);
-        const double even_i = 0.5 * (im[k] - im[mirror]);
-        const double odd_r = 0.5 * (im[k] + im[mirror]);
-        const double odd_i = 0.5 * (re[mirror] - re[k]);
-        const double turned_r = turns_[k].cosine * odd_r - turns_[k].sine * odd_i;
-        const double turned_i = turns_[k].cosine * odd_i + turns_[k].sine * odd_r;
-        spectrum[k] = {even_r + turned_r, even_i + turned_i};
-        spectrum[mirror] = {even_r - turned_r, turned_i - even_i};
-    }
+    lines_of({real(here_), imaginary(here_)}, half_, turns_.data(), reinterpret_cast<double*>(spectrum.data()));
 }
 
 void RadixFour::backward(std::span<const std::complex<double>> spectrum, std::span<double> frame) {
     STRIDOR_EXPECT(frame.size() == 2 * half_ && spectrum.size() == half_ + 1);
-    const double scale = 0.5 / static_cast<double>(half_);
-    const auto put = [&](std::size_t k, double re, double im) {
-        numbers_[2 * k] = scale * im;
-        numbers_[2 * k + 1] = scale * re;
-    };
-    put(0, spectrum[0].real() + spectrum[half_].real(), spectrum[0].real() - spectrum[half_].real());
-    for (std::size_t k = 1; k <= half_ / 2; ++k) {
-        const std::complex<double> here = spectrum[k];
-        const std::complex<double> mirror = spectrum[half_ - k];
-        const double even_r = here.real() + mirror.real();
-        const double even_i = here.imag() - mirror.imag();
-        const double left_r = here.real() - mirror.real();
-        const double left_i = here.imag() + mirror.imag();
-        const double odd_r = turns_[k].cosine * left_r + turns_[k].sine * left_i;
-        const double odd_i = turns_[k].cosine * left_i - turns_[k].sine * left_r;
-        put(k, even_r - odd_i, even_i + odd_r);
-        put(half_ - k, even_r + odd_i, odd_r - even_i);
-    }
+    numbers_of(reinterpret_cast<const double*>(spectrum.data()), half_, turns_.data(), numbers_.data());
     transform(numbers_.data());
-    for (std::size_t n = 0; n < half_; ++n) {
-        frame[2 * n] = imaginary(here_)[n];
-        frame[2 * n + 1] = real(here_)[n];
-    }
+    samples_of({real(here_), imaginary(here_)}, half_, frame.data());
 }
 
 struct Fourier::Buffers {
@@ -282,6 +317,10 @@ std::size_t Fourier::size() const {
 
 std::span<const std::complex<double>> Fourier::spectrum(std::span<const double> frame) {
     STRIDOR_EXPECT(frame.size() <= size());
+    if (buffers_->radix_four && frame.size() == size()) {
+        buffers_->radix_four->forward(frame, buffers_->half);
+        return buffers_->half;
+    }
     std::vector<double>& time = buffers_->time;
     const auto end = std::copy(frame.begin(), frame.end(), time.begin());
     std::fill(end, time.end(), 0.0);

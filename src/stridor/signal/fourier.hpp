@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/base/elementary.hpp"
+
 #include <complex>
 #include <cstddef>
 #include <memory>
@@ -27,21 +29,16 @@ public:
     void backward(std::span<const std::complex<double>> spectrum, std::span<double> frame);
 
 private:
-    struct Turn {
-        double cosine = 1.0;
-        double sine = 0.0;  // of a negative angle
-    };
-
     /// Transforms half_ complex numbers, real and imaginary parts in turns, into `here_`.
     void transform(const double* numbers);
     double* real(std::vector<double>& buffer) const { return buffer.data(); }
     double* imaginary(std::vector<double>& buffer) const { return buffer.data() + buffer.size() / 2; }
 
-    std::size_t half_;             // complex numbers that a frame makes
-    std::vector<double> first_{};  // cosines, sines of once, twice, three times the turn, shape [6][half / 4]
-    std::vector<Turn> later_{};    // the same of the later stages, shape [stage][butterfly][3]
-    std::vector<Turn> turns_{};    // exp(-2πi k / size), shape [half / 2 + 1]
-    std::vector<double> here_;     // real parts, then imaginary ones
+    std::size_t half_;                       // complex numbers that a frame makes
+    std::vector<double> first_{};            // cosines, sines of once, twice, three times the turn, shape [6][half / 4]
+    std::vector<base::SineCosine> later_{};  // the same of the later stages, shape [stage][butterfly][3]
+    std::vector<base::SineCosine> turns_{};  // exp(-2πi k / size), shape [half / 2 + 1]
+    std::vector<double> here_;               // real parts, then imaginary ones
     std::vector<double> there_;
     std::vector<double> numbers_{};
 };

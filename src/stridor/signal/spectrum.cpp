@@ -1,8 +1,10 @@
 #include "stridor/signal/spectrum.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/clones.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/powers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +30,16 @@ double nominal(int third) {
     for (int k = 0; k < third / 10; ++k)
         decade *= 10.0;
     return decade * nominal_of_decade[static_cast<std::size_t>(third % 10)];
+}
+
+// one-sided densities of powers: the first and the last line have one side
+STRIDOR_CLONES void make_densities(std::span<double> powers, double scale) {
+    const double first = powers.front() / scale;
+    const double last = powers.back() / scale;
+    for (double& value : powers)
+        value = 2.0 * value / scale;
+    powers.front() = first;
+    powers.back() = last;
 }
 
 }  // namespace
@@ -56,12 +68,10 @@ void Welch::push(std::span<const double> samples) {
 void Welch::take(std::span<const double> samples, double squares) {
     for (std::size_t n = 0; n < samples.size(); ++n)
         windowed_[n] = window_[n] * samples[n];
-    const auto lines = fourier_.spectrum(std::span(windowed_).first(samples.size()));
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        const double sides = k == 0 || k + 1 == lines.size() ? 1.0 : 2.0;
-        density_[k] = sides * std::norm(lines[k]) / (rate_ * squares);
+    powers_of(fourier_.spectrum(std::span(windowed_).first(samples.size())), density_);
+    make_densities(density_, rate_ * squares);
+    for (std::size_t k = 0; k < density_.size(); ++k)
         sum_[k] += density_[k];
-    }
     ++frames_;
     if (listener_) listener_(density_);
 }

@@ -1,10 +1,12 @@
 #include "stridor/sound/analysis.hpp"
 
+#include "stridor/base/clones.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/signal/spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -20,6 +22,24 @@ constexpr std::size_t block_frames = 1U << 16U;
 // [unit] less is silence: the fourth powers of what is smaller leave double precision, and 0/0 is no figure
 constexpr double smallest_sample = 1e-60;
 constexpr double lowest_heard = 40.0;  // [Hz] below lies the motion of the drive
+constexpr double beyond_all = std::numeric_limits<double>::infinity();
+
+// four at a time: each waits for itself only
+STRIDOR_CLONES SampleExtent extent_of(std::span<const double> samples) {
+    std::array<double, 4> low{beyond_all, beyond_all, beyond_all, beyond_all};
+    std::array<double, 4> high{-beyond_all, -beyond_all, -beyond_all, -beyond_all};
+    std::size_t first = 0;
+    for (; first + 4 <= samples.size(); first += 4)
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            low[lane] = std::min(low[lane], samples[first + lane]);
+            high[lane] = std::max(high[lane], samples[first + lane]);
+        }
+    for (; first < samples.size(); ++first) {
+        low[0] = std::min(low[0], samples[first]);
+        high[0] = std::max(high[0], samples[first]);
+    }
+    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+}
 
 // the waveform's extremes; when they become too many, neighbours are joined
 class Outline {
@@ -29,20 +49,22 @@ public:
           stride_(std::max<std::size_t>(1, static_cast<std::size_t>(rate / 500.0))) {}
 
     void push(std::span<const double> samples) {
-        for (const double x : samples) {
-            current_ = {std::min(current_.low, x), std::max(current_.high, x)};
-            if (++filled_ == stride_) keep();
+        while (!samples.empty()) {
+            const std::size_t count = std::min(stride_ - filled_, samples.size());
+            const SampleExtent extent = extent_of(samples.first(count));
+            current_ = {std::min(current_.low, extent.low), std::max(current_.high, extent.high)};
+            samples = samples.subspan(count);
+            filled_ += count;
+            if (filled_ == stride_) keep();
         }
     }
 
     Waveform waveform() const { return {static_cast<double>(stride_) / rate_, extents_}; }
 
 private:
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
     void keep() {
         extents_.push_back(current_);
-        current_ = {infinity, -infinity};
+        current_ = {beyond_all, -beyond_all};
         filled_ = 0;
         if (extents_.size() < most_extents) return;
         for (std::size_t k = 0; 2 * k < most_extents; ++k)
@@ -55,7 +77,7 @@ private:
     double rate_;
     std::size_t stride_;
     std::size_t filled_ = 0;
-    SampleExtent current_{infinity, -infinity};
+    SampleExtent current_{beyond_all, -beyond_all};
     std::vector<SampleExtent> extents_{};
 };
 
@@ -104,10 +126,12 @@ ChannelOverview& ChannelOverview::operator=(ChannelOverview&&) noexcept = defaul
 
 void ChannelOverview::push(std::span<const double> samples) {
     State& s = *state_;
-    for (const double x : samples) {
-        s.squares += x * x;
-        s.peak = std::max(s.peak, std::abs(x));
-    }
+    double squares = s.squares;
+    for (const double x : samples)
+        squares += x * x;
+    s.squares = squares;
+    const SampleExtent extent = extent_of(samples);
+    s.peak = std::max({s.peak, extent.high, -extent.low});
     s.count += samples.size();
     s.meter.push(samples);
     s.outline.push(samples);

@@ -1,11 +1,14 @@
 #include "stridor/sound/course.hpp"
 
+#include "stridor/base/clones.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/signal/window.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 
 namespace stridor::sound {
@@ -29,17 +32,58 @@ std::vector<double> parts_of(std::span<const double> samples, const std::vector<
     return parts;
 }
 
+using FourSums = std::array<double, 4>;  // sums side by side: each waits for itself only
+
+// the sums of `count` values from each of four neighbouring places on
+STRIDOR_CLONES FourSums four_sums(const double* values, std::size_t count) {
+    FourSums sums{};
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t lane = 0; lane < sums.size(); ++lane)
+            sums[lane] += values[k + lane];
+    return sums;
+}
+
 // an envelope without its mean over the 60 ms around each instant
 std::vector<double> without_drift(std::span<const double> values) {
-    constexpr auto reach = static_cast<std::ptrdiff_t>(0.03 / envelope_time);
-    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    constexpr auto reach = static_cast<std::size_t>(0.03 / envelope_time);
+    constexpr double width = 2 * reach + 1;
     std::vector<double> result(values.begin(), values.end());
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-        const auto from = values.begin() + std::max<std::ptrdiff_t>(0, k - reach);
-        const auto to = values.begin() + std::min(count, k + reach + 1);
-        result[static_cast<std::size_t>(k)] -= std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
+    for (std::size_t k = 0; k < values.size();) {
+        if (k >= reach && k + reach + std::tuple_size_v<FourSums> <= values.size()) {
+            for (const double sum : four_sums(values.data() + k - reach, 2 * reach + 1))
+                result[k++] -= sum / width;
+            continue;
+        }
+        const std::size_t from = k - std::min(k, reach);
+        const std::size_t to = std::min(values.size(), k + reach + 1);
+        const auto around = values.subspan(from, to - from);
+        result[k++] -= std::accumulate(around.begin(), around.end(), 0.0) / static_cast<double>(to - from);
     }
     return result;
+}
+
+// how alike an envelope is to itself after each of four neighbouring lags
+STRIDOR_CLONES FourSums four_likenesses(std::span<const double> envelope, std::size_t lag) {
+    FourSums products{};
+    FourSums energies{};
+    const std::size_t common = envelope.size() - std::min(envelope.size(), lag + products.size() - 1);
+    const double* values = envelope.data();
+    for (std::size_t k = 0; k < common; ++k)
+        for (std::size_t lane = 0; lane < products.size(); ++lane) {
+            const double later = values[k + lag + lane];
+            products[lane] += values[k] * later;
+            energies[lane] += values[k] * values[k] + later * later;
+        }
+    FourSums likenesses{};
+    for (std::size_t lane = 0; lane < products.size(); ++lane) {
+        for (std::size_t k = common; k + lag + lane < envelope.size(); ++k) {
+            const double later = values[k + lag + lane];
+            products[lane] += values[k] * later;
+            energies[lane] += values[k] * values[k] + later * later;
+        }
+        likenesses[lane] = energies[lane] > 0.0 ? 2.0 * products[lane] / energies[lane] : 0.0;
+    }
+    return likenesses;
 }
 
 struct Cycle {
@@ -51,20 +95,13 @@ struct Cycle {
 // at lags that repeat at least five times.
 Cycle cycle_of(std::span<const double> values) {
     const std::vector<double> envelope = without_drift(values);
-    const auto likeness = [&](std::size_t lag) {
-        const std::size_t count = envelope.size() - lag;
-        double product = 0.0;
-        double energy = 0.0;
-        for (std::size_t k = 0; k < count; ++k) {
-            product += envelope[k] * envelope[k + lag];
-            energy += envelope[k] * envelope[k] + envelope[k + lag] * envelope[k + lag];
-        }
-        return energy > 0.0 ? 2.0 * product / energy : 0.0;
-    };
     Cycle best;
     bool has_fallen = false;
+    FourSums likenesses{};
     for (std::size_t lag = 1; 5 * lag <= envelope.size(); ++lag) {
-        const double here = likeness(lag);
+        const std::size_t lane = (lag - 1) % likenesses.size();
+        if (lane == 0) likenesses = four_likenesses(envelope, lag);
+        const double here = likenesses[lane];
         has_fallen = has_fallen || here < 0.1;
         if (has_fallen && here > best.likeness) best = {here, envelope_time * static_cast<double>(lag)};
     }
@@ -145,6 +182,23 @@ Moments moments_of(std::span<const double> samples) {
     return {moments.second / count, moments.fourth / count, std::sqrt(moments.peak)};
 }
 
+namespace {
+
+// the slot of each sample, of slots that begin at `low` and are 1 / scale wide; the last one takes what lies above
+STRIDOR_CLONES void slots_of(std::span<const double> samples, double low, double scale, std::span<std::int32_t> slots,
+                             std::int32_t last) {
+    const double* __restrict from = samples.data();
+    std::int32_t* __restrict to = slots.data();
+    const double most = last;
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+        const double place = (from[n] - low) * scale;
+        const double inside = place > 0.0 ? place : 0.0;
+        to[n] = static_cast<std::int32_t>(inside < most ? inside : most);
+    }
+}
+
+}  // namespace
+
 double largest_dwell(std::span<const double> samples, double width) {
     constexpr std::size_t slots_per_width = 8;
     constexpr std::size_t most_slots = 1U << 15U;
@@ -152,8 +206,10 @@ double largest_dwell(std::span<const double> samples, double width) {
     const double scale =
         std::min(slots_per_width / width, static_cast<double>(most_slots) / std::max(*high - *low, 1e-300));
     std::vector<std::size_t> counts(base::whole_below((*high - *low) * scale, most_slots) + 2);
-    for (const double x : samples)
-        ++counts[base::whole_below((x - *low) * scale, counts.size() - 1)];
+    std::vector<std::int32_t> slots(samples.size());
+    slots_of(samples, *low, scale, slots, static_cast<std::int32_t>(counts.size() - 1));
+    for (const std::int32_t slot : slots)
+        ++counts[static_cast<std::size_t>(slot)];
     std::size_t inside = 0;
     std::size_t most = 0;
     for (std::size_t slot = 0; slot < counts.size(); ++slot) {

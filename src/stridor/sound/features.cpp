@@ -7,9 +7,11 @@
 #include "stridor/sound/features.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/clones.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/powers.hpp"
 #include "stridor/signal/window.hpp"
 #include "stridor/sound/course.hpp"
 #include "stridor/sound/tones.hpp"
@@ -18,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -90,8 +93,10 @@ std::vector<double> echo_of(signal::Fourier& fourier, std::span<const double> wi
     return echo;
 }
 
-// samples without the straight line that fits them best: what the drive's slow motion looks like in a short frame
-std::vector<double> without_line(std::span<const double> samples) {
+// Writes samples under the window without the straight line that fits them best: what the drive's slow motion looks
+// like in a short frame.
+STRIDOR_CLONES void window_without_line(std::span<const double> samples, std::span<const double> window,
+                                        std::span<double> result) {
     const auto count = static_cast<double>(samples.size());
     const double middle = 0.5 * (count - 1.0);
     // four sums at a time: each waits for itself only
@@ -110,10 +115,26 @@ std::vector<double> without_line(std::span<const double> samples) {
     const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) / count;
     const double covariance = std::accumulate(products.begin(), products.end(), 0.0);
     const double slope = 12.0 * covariance / (count * (count * count - 1.0));
-    std::vector<double> result(samples.size());
-    for (std::size_t n = 0; n < samples.size(); ++n)
-        result[n] = samples[n] - mean - slope * (static_cast<double>(n) - middle);
-    return result;
+    const auto length = static_cast<std::int32_t>(samples.size());
+    const double* __restrict from = samples.data();
+    const double* __restrict weights = window.data();
+    double* __restrict to = result.data();
+    for (std::int32_t n = 0; n < length; ++n)
+        to[n] = (from[n] - mean - slope * (static_cast<double>(n) - middle)) * weights[n];
+}
+
+// lines times a gain
+STRIDOR_CLONES void scale_lines(std::span<const std::complex<double>> lines, std::span<const double> gain,
+                                std::span<std::complex<double>> result) {
+    for (std::size_t k = 0; k < gain.size(); ++k)
+        result[k] = {lines[k].real() * gain[k], lines[k].imag() * gain[k]};
+}
+
+STRIDOR_CLONES void add_to(std::span<double> sums, std::span<const double> values) {
+    double* __restrict to = sums.data();
+    const double* __restrict from = values.data();
+    for (std::size_t n = 0; n < values.size(); ++n)
+        to[n] += from[n];
 }
 
 // Width of the band in which a sound rests, in effective values; `widening` times what is left of the floor widens it.
@@ -127,11 +148,16 @@ struct FeatureFinder::Picture {
     std::span<const double> window;
     std::span<const double> echo;
     std::size_t hop = 1;
-    std::vector<std::vector<std::complex<double>>> frames;  // shape [frame][bin]
-    Power power;                                            // shape [bin], mean over the frames
-    Power gain;                                             // shape [bin]
+    std::size_t frames = 0;
+    std::vector<std::complex<double>> lines;  // shape [frame][bin]
+    Power power;                              // shape [bin], mean over the frames
+    Power gain;                               // shape [bin]
     double floor = 0.0;
     std::size_t lowest = 1;  // first bin that counts
+
+    std::span<const std::complex<double>> frame(std::size_t place) const {
+        return std::span(lines).subspan(place * power.size(), power.size());
+    }
 };
 
 FeatureFinder::FeatureFinder(double rate)
@@ -156,24 +182,27 @@ FeatureFinder::Picture FeatureFinder::picture_of(std::span<const double> samples
         picture.echo = short_echo_;
     }
     picture.hop = std::max<std::size_t>(1, size / 2);
-    picture.power.assign(size_ / 2 + 1, 0.0);
+    const std::size_t bins = size_ / 2 + 1;
+    picture.power.assign(bins, 0.0);
+    Power power(bins);
+    std::vector<double> frame(size);
+    picture.lines.reserve((samples.size() / picture.hop) * bins);
     for (std::size_t first = 0; first + size <= samples.size(); first += picture.hop) {
-        std::vector<double> frame = without_line(samples.subspan(first, size));
-        for (std::size_t n = 0; n < size; ++n)
-            frame[n] *= picture.window[n];
+        window_without_line(samples.subspan(first, size), picture.window, frame);
         const auto spectrum = fourier_.spectrum(frame);
-        for (std::size_t k = 0; k < spectrum.size(); ++k)
-            picture.power[k] += std::norm(spectrum[k]);
-        picture.frames.emplace_back(spectrum.begin(), spectrum.end());
+        signal::powers_of(spectrum, power);
+        add_to(picture.power, power);
+        picture.lines.insert(picture.lines.end(), spectrum.begin(), spectrum.end());
+        ++picture.frames;
     }
     for (double& value : picture.power)
-        value /= static_cast<double>(picture.frames.size());
+        value /= static_cast<double>(picture.frames);
 
     picture.lowest = static_cast<std::size_t>(std::ceil(lowest_frequency * static_cast<double>(size_) / rate_));
     picture.lowest = std::max<std::size_t>(2, picture.lowest);
     picture.floor = floor_of(picture.power, picture.lowest);
     picture.gain.assign(picture.power.size(), 0.0);
-    const double background = floor_excess(picture.frames.size()) * picture.floor;
+    const double background = floor_excess(picture.frames) * picture.floor;
     for (std::size_t k = picture.lowest; k < picture.gain.size(); ++k)
         if (picture.power[k] > 0.0) picture.gain[k] = std::max(0.0, 1.0 - background / picture.power[k]);
     return picture;
@@ -214,7 +243,8 @@ void FeatureFinder::describe_movement(const Picture& picture, double place, Soun
     double first = 0.0;
     double second = 0.0;
     Power here(to);
-    for (const auto& frame : picture.frames) {
+    for (std::size_t j = 0; j < picture.frames; ++j) {
+        const auto frame = picture.frame(j);
         for (std::size_t k = from; k < to; ++k)
             here[k] = std::norm(frame[k]) * picture.gain[k];
         const double there = line_place(here, from, to);
@@ -267,14 +297,10 @@ std::vector<double> FeatureFinder::above_floor(const Picture& picture, std::size
     std::vector<double> sum(size);
     std::vector<double> weight(size);
     std::vector<std::complex<double>> spectrum(picture.power.size());
-    for (std::size_t j = 0; j < picture.frames.size(); ++j) {
-        for (std::size_t k = 0; k < spectrum.size(); ++k)
-            spectrum[k] = picture.frames[j][k] * picture.gain[k];
-        const auto frame = fourier_.frame(spectrum);
-        for (std::size_t n = 0; n < length; ++n) {
-            sum[j * picture.hop + n] += frame[n];
-            weight[j * picture.hop + n] += picture.window[n];
-        }
+    for (std::size_t j = 0; j < picture.frames; ++j) {
+        scale_lines(picture.frame(j), picture.gain, spectrum);
+        add_to(std::span(sum).subspan(j * picture.hop), fourier_.frame(spectrum).first(length));
+        add_to(std::span(weight).subspan(j * picture.hop), picture.window);
     }
     std::vector<double> samples;
     samples.reserve(size);

@@ -1,7 +1,9 @@
 #include "stridor/sound/onsets.hpp"
 
+#include "stridor/base/clones.hpp"
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/running_biquad.hpp"
 
 #include <algorithm>
 #include <array>
@@ -250,11 +252,34 @@ double beat_of(std::span<const double> levels, std::span<const std::uint8_t> lou
     return moments_of(away, loud).deviation;
 }
 
-void describe_levels(std::span<const double> samples, double rate, Onsets& onsets) {
-    const auto section = signal::high_pass(clamped_corner(level_corner, rate), rate, 2);
-    const std::vector<double> sound = signal::filtered(samples, section);
-    const std::size_t length = std::min(sound.size(), static_cast<std::size_t>(level_time * rate));
-    const std::vector<double> squares = squares_of(sound, length);
+// what filters leave of samples
+struct Filtered {
+    std::vector<double> sound;    // above `corner`
+    std::vector<double> squares;  // [unit²] above `level_corner`, shape [part]
+};
+
+// The filters wait for themselves only, so that they take hardly longer side by side than the longest.
+Filtered filtered(std::span<const double> samples, double rate) {
+    const auto high = signal::high_pass(clamped_corner(corner, rate), rate, 4);
+    signal::RunningBiquad one{high.front()};
+    signal::RunningBiquad other{high.back()};
+    signal::RunningBiquad level{signal::high_pass(clamped_corner(level_corner, rate), rate, 2).front()};
+    const std::size_t length = std::min(samples.size(), static_cast<std::size_t>(level_time * rate));
+    Filtered result{std::vector<double>(samples.size()), std::vector<double>(samples.size() / length)};
+    for (std::size_t part = 0, n = 0; n < samples.size(); ++part) {
+        const std::size_t end = std::min(samples.size(), n + length);
+        double sum = 0.0;
+        for (; n < end; ++n) {
+            const double y = level.next(samples[n]);
+            sum += y * y;
+            result.sound[n] = other.next(one.next(samples[n]));
+        }
+        if (part < result.squares.size()) result.squares[part] = sum / static_cast<double>(length);
+    }
+    return result;
+}
+
+void describe_levels(std::span<const double> squares, Onsets& onsets) {
     const double greatest = *std::max_element(squares.begin(), squares.end());
     if (!(greatest > 0.0)) return;
     const std::vector<double> levels = levels_of(squares, level_floor * greatest);
@@ -310,7 +335,7 @@ void describe_fast(std::span<const double> sound, double rate, Onsets& onsets) {
 
 }  // namespace
 
-std::vector<double> band_levels(std::span<const double> samples, double rate, std::size_t length) {
+STRIDOR_CLONES std::vector<double> band_levels(std::span<const double> samples, double rate, std::size_t length) {
     Sections high;
     Sections low;
     std::size_t bands = 0;
@@ -348,9 +373,8 @@ std::vector<double> band_levels(std::span<const double> samples, double rate, st
 
 Onsets onsets_of(std::span<const double> samples, double rate) {
     Onsets onsets;
-    describe_levels(samples, rate, onsets);
-    const std::vector<double> sound =
-        signal::filtered(samples, signal::high_pass(clamped_corner(corner, rate), rate, 4));
+    const auto [sound, level_squares] = filtered(samples, rate);
+    describe_levels(level_squares, onsets);
     const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(part_time * rate)));
     const std::vector<double> squares = squares_of(sound, length);
     const double greatest = *std::max_element(squares.begin(), squares.end());

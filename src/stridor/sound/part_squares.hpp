@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/signal/filter.hpp"
+#include "stridor/signal/running_biquad.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,10 +15,14 @@ namespace stridor::sound {
 /// The channel is taken as if its first sample had stood there for ever: that a recording begins is no noise.
 class PartSquares {
 public:
+    /// Says whether the square of each sample is kept, too.
+    enum class Samples { forgotten, kept };
+
     /// Takes the `rate` [Hz], the `corner` [Hz] and the length [s] of a part.
-    PartSquares(double rate, double corner, double part)
-        : section_(signal::high_pass(corner, rate, 2).front()),
-          length_(std::max<std::size_t>(1, static_cast<std::size_t>(part * rate))) {}
+    PartSquares(double rate, double corner, double part, Samples samples = Samples::forgotten)
+        : section_{signal::high_pass(corner, rate, 2).front()},
+          length_(std::max<std::size_t>(1, static_cast<std::size_t>(part * rate))),
+          samples_(samples) {}
 
     /// Returns the length of a part in samples.
     std::size_t length() const { return length_; }
@@ -25,34 +30,60 @@ public:
     /// Takes the next samples.
     void push(std::span<const double> samples) {
         if (!has_begun_ && !samples.empty()) begin(samples.front());
-        for (const double x : samples) {
-            const double y = section_.b0 * x + first_;
-            first_ = section_.b1 * x - section_.a1 * y + second_;
-            second_ = section_.b2 * x - section_.a2 * y;
-            sum_ += y * y;
-            if (++filled_ < length_) continue;
+        while (!samples.empty()) {
+            const std::size_t count = std::min(length_ - filled_, samples.size());
+            samples_ == Samples::kept ? keep(samples.first(count)) : add(samples.first(count));
+            samples = samples.subspan(count);
+            filled_ += count;
+            if (filled_ < length_) continue;
             squares.push_back(sum_ / static_cast<double>(length_));
             sum_ = 0.0;
             filled_ = 0;
         }
     }
 
-    std::vector<double> squares{};  // [unit²] of the parts that their user has not taken away
+    std::vector<double> squares{};         // [unit²] of the parts that their user has not taken away
+    std::vector<double> sample_squares{};  // [unit²] the same of samples
 
 private:
     void begin(double x) {
         has_begun_ = true;
-        first_ = -section_.b0 * x;
-        second_ = section_.b2 * x;
+        section_.first = -section_.biquad.b0 * x;
+        section_.second = section_.biquad.b2 * x;
     }
 
-    signal::Biquad section_;
+    void add(std::span<const double> samples) {
+        signal::RunningBiquad section = section_;
+        double sum = sum_;
+        for (const double x : samples) {
+            const double y = section.next(x);
+            sum += y * y;
+        }
+        section_ = section;
+        sum_ = sum;
+    }
+
+    void keep(std::span<const double> samples) {
+        const std::size_t before = sample_squares.size();
+        sample_squares.resize(before + samples.size());
+        double* squared = sample_squares.data() + before;
+        signal::RunningBiquad section = section_;
+        double sum = sum_;
+        for (const double x : samples) {
+            const double y = section.next(x);
+            *squared++ = y * y;
+            sum += y * y;
+        }
+        section_ = section;
+        sum_ = sum;
+    }
+
+    signal::RunningBiquad section_;
     std::size_t length_;
+    Samples samples_;
     std::size_t filled_ = 0;
     bool has_begun_ = false;
     double sum_ = 0.0;
-    double first_ = 0.0;
-    double second_ = 0.0;
 };
 
 }  // namespace stridor::sound

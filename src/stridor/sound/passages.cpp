@@ -43,11 +43,17 @@ constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the driv
 // of the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
 std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
     const double least = 1e-6 * *std::max_element(squares.begin(), squares.end());
+    std::vector<double> levels;  // sustained, from each part on
+    const auto add_level = [&] {
+        levels.push_back(std::max(least, signal::median_of(squares.subspan(levels.size(), sustained))));
+    };
     double best = 0.0;
     std::size_t place = 0;
     for (std::size_t k = sustained; k + sustained <= squares.size() && k <= longest; ++k) {
-        const double before = std::max(least, signal::median_of(squares.subspan(k - sustained, sustained)));
-        const double after = std::max(least, signal::median_of(squares.subspan(k, sustained)));
+        while (levels.size() <= k)
+            add_level();
+        const double before = levels[k - sustained];
+        const double after = levels[k];
         const double jump = std::abs(10.0 * std::log10(after / before));
         if (jump > best) {
             best = jump;
@@ -69,7 +75,8 @@ struct PassageFinder::State {
             describe(section);
         // what no section can hold any more
         const std::uint64_t needed = std::min<std::uint64_t>(sections.needed(), forgotten + pending.size());
-        if (needed <= forgotten) return;
+        // half of them at a time: the others have to move
+        if (2 * (needed - std::min(needed, forgotten)) <= pending.size()) return;
         pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(needed - forgotten));
         forgotten = needed;
     }

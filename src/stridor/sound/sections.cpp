@@ -30,23 +30,19 @@ constexpr auto most_parts = static_cast<std::size_t>(longest_section / section_p
 
 struct SectionFinder::State {
     explicit State(double rate)
-        : squares(rate, std::min(section_corner, highest_corner * rate), 0.0),
-          length(std::max<std::size_t>(1, static_cast<std::size_t>(section_part * rate))) {}
+        : course(rate, std::min(section_corner, highest_corner * rate), section_part, PartSquares::Samples::kept),
+          length(course.length()) {}
 
     enum class End { open, reached };
 
     void take(std::span<const double> samples) {
         count += samples.size();
-        squares.push(samples);
-        while (length * (levels.size() + 1) <= squares.squares.size()) {
-            const auto part = squares_of(levels.size());
-            levels.push_back(std::accumulate(part.begin(), part.end(), 0.0) / static_cast<double>(length));
-        }
+        course.push(samples);
     }
 
     // places count from the first part that is kept
     std::span<const double> squares_of(std::size_t place) const {
-        return std::span(squares.squares).subspan(length * place, length);
+        return std::span(course.sample_squares).subspan(length * place, length);
     }
 
     // [unit²] what a level there must exceed to sound
@@ -120,7 +116,7 @@ struct SectionFinder::State {
         const std::size_t old = std::min(decided - std::min(decided, around), oldest);
         if (old < around) return;
         const auto samples = static_cast<std::ptrdiff_t>(length * old);
-        squares.squares.erase(squares.squares.begin(), squares.squares.begin() + samples);
+        course.sample_squares.erase(course.sample_squares.begin(), course.sample_squares.begin() + samples);
         levels.erase(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(old));
         dropped += old;
         decided -= old;
@@ -129,15 +125,15 @@ struct SectionFinder::State {
         last -= old;
     }
 
-    PartSquares squares;                 // of samples
-    std::size_t length;                  // samples of a part
-    std::vector<double> levels{};        // [unit²] shape [part kept]
-    std::uint64_t dropped = 0;           // parts no longer kept
-    std::size_t decided = 0;             // the first part of which it is not known whether it sounds
-    std::optional<std::size_t> begun{};  // first part of the open section
-    std::size_t last = 0;                // its last part that sounds
-    std::uint64_t first_sample = 0;      // of it
-    std::uint64_t end_sample = 0;        // the first one after what sounds in it
+    PartSquares course;
+    std::size_t length;                            // samples of a part
+    std::vector<double>& levels = course.squares;  // [unit²] shape [part kept]
+    std::uint64_t dropped = 0;                     // parts no longer kept
+    std::size_t decided = 0;                       // the first part of which it is not known whether it sounds
+    std::optional<std::size_t> begun{};            // first part of the open section
+    std::size_t last = 0;                          // its last part that sounds
+    std::uint64_t first_sample = 0;                // of it
+    std::uint64_t end_sample = 0;                  // the first one after what sounds in it
     std::vector<SoundSection> sections{};
     std::uint64_t count = 0;  // samples
 };

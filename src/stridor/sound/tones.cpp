@@ -1,6 +1,8 @@
 #include "stridor/sound/tones.hpp"
 
+#include "stridor/base/clones.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/powers.hpp"
 #include "stridor/signal/spectrum.hpp"
 #include "stridor/signal/window.hpp"
 
@@ -30,6 +32,31 @@ constexpr double tiny = 1e-30;
 
 std::size_t band_of(std::size_t bin) {
     return std::max(narrowest, static_cast<std::size_t>(std::lround(half_band * static_cast<double>(bin))));
+}
+
+// samples less their mean under a window
+STRIDOR_CLONES void window_samples(std::span<const double> samples, double mean, std::span<const double> window,
+                                   std::span<double> result) {
+    const double* __restrict from = samples.data();
+    const double* __restrict weights = window.data();
+    double* __restrict to = result.data();
+    for (std::size_t n = 0; n < samples.size(); ++n)
+        to[n] = (from[n] - mean) * weights[n];
+    for (std::size_t n = samples.size(); n < result.size(); ++n)
+        to[n] = 0.0;
+}
+
+// powers times their weights, which are added to a spectrum, too
+STRIDOR_CLONES void weigh_lines(std::span<const double> power, std::span<const double> weights,
+                                std::span<double> weighted, std::span<double> spectrum) {
+    const double* __restrict from = power.data();
+    const double* __restrict factor = weights.data();
+    double* __restrict to = weighted.data();
+    double* __restrict sums = spectrum.data();
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        to[k] = factor[k] * from[k];
+        sums[k] += to[k];
+    }
 }
 
 // the place of a line, in bins from the middle one of three: in the logarithm Hann's line is a parabola
@@ -107,20 +134,15 @@ ToneFinder::Frames ToneFinder::frames_of(std::span<const double> samples) {
     const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
     std::vector<double> frame(size_);
     std::vector<double> power(weights_.size());
+    std::vector<double> weighted(weights_.size());
     for (std::size_t first = 0; first == 0 || first + size_ <= samples.size(); first += frames.hop) {
         const std::size_t count = std::min(size_, samples.size() - first);
-        for (std::size_t n = 0; n < size_; ++n)
-            frame[n] = n < count ? (samples[first + n] - mean) * window_[n] : 0.0;
-        const auto spectrum = fourier_.spectrum(frame);
-        double sum = 0.0;
-        for (std::size_t k = 0; k < power.size(); ++k) {
-            power[k] = std::norm(spectrum[k]);
-            const double weighted = weights_[k] * power[k];
-            frames.spectrum[k] += weighted;
-            if (k >= lowest_) sum += weighted;
-        }
+        window_samples(samples.subspan(first, count), mean, window_, frame);
+        signal::powers_of(fourier_.spectrum(frame), power);
+        weigh_lines(power, weights_, weighted, frames.spectrum);
         frames.lines.push_back(lines_of(power));
-        frames.power.push_back(sum);
+        frames.power.push_back(
+            std::accumulate(weighted.begin() + static_cast<std::ptrdiff_t>(lowest_), weighted.end(), 0.0));
     }
     // one-sided power over N times the window's square
     const double sum_of_window = std::accumulate(window_.begin(), window_.end(), 0.0);

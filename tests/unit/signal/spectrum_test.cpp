@@ -4,13 +4,16 @@
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/level.hpp"
 #include "stridor/signal/perturb.hpp"
+#include "stridor/signal/powers.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/signal/spectrogram.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numeric>
+#include <vector>
 
 namespace stridor::signal {
 namespace {
@@ -67,6 +70,19 @@ TEST(Fourier, AgreesWithTheDefinition) {
             EXPECT_NEAR(std::abs(spectrum[k] - sum), 0.0, 1e-15 * static_cast<double>(size) + 1e-14)
                 << size << ' ' << k;
         }
+    }
+}
+
+// whatever the processor's width, of whatever number of lines
+TEST(Powers, AreTheSquaresOfLinesBitForBit) {
+    std::vector<std::complex<double>> lines;
+    for (std::size_t count = 0; count < 40; ++count) {
+        std::vector<double> powers(count);
+        powers_of(lines, powers);
+        for (std::size_t k = 0; k < count; ++k)
+            EXPECT_EQ(powers[k], lines[k].real() * lines[k].real() + lines[k].imag() * lines[k].imag()) << k;
+        const double angle = 0.7 * static_cast<double>(count);
+        lines.emplace_back(std::exp(angle) * std::cos(angle), std::exp(-angle) * std::sin(angle));
     }
 }
 
