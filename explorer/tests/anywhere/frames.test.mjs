@@ -10,6 +10,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { openPage, program } from "../browser/session.mjs";
 import { until } from "../until.mjs";
+import { openFile, ready, settled, verdict, write } from "./one_file.mjs";
 
 const python = join(dirname(fileURLToPath(import.meta.url)), "../../../python/stridor");
 let folder;
@@ -21,20 +22,6 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-async function opened(t, origin, options = {}) {
-  const browser = await openPage({ origin, link: () => origin }, options);
-  t.after(() => browser.close());
-  await browser.goto();
-  return browser;
-}
-
-async function settled(frame) {
-  await frame.locator('#verdict[aria-busy="false"]').waitFor();
-  await frame.locator('#chart[data-done="true"]').waitFor();
-}
-
-const verdict = (frame) => frame.locator("#verdict").getAttribute("data-going");
-
 function report(name, ...more) {
   const options = ["--no-advice", "--points", "4", "-o", name, ...more];
   execFileSync(program, ["report", "squeal.toml", ...options], { cwd: folder, stdio: "pipe" });
@@ -44,7 +31,7 @@ function report(name, ...more) {
 test("a live report has the design's sliders and chart in it, and moves", async (t) => {
   const [plain, live] = [report("plain.html"), report("live.html", "--live")];
   assert.ok((await stat(live)).size - (await stat(plain)).size < 2e6);
-  const { page, sins } = await opened(t, pathToFileURL(live).href, { offline: true });
+  const { page, sins } = await openFile(t, live);
   assert.match(await page.locator(".headline").textContent(), /Squeals/);
   await page.frameLocator(".live iframe").locator("#stridor-core").waitFor({ state: "attached" });
   assert.equal(await page.frameLocator(".live iframe").locator("#verdict").count(), 0);
@@ -65,10 +52,10 @@ test("a live report has the design's sliders and chart in it, and moves", async 
 
 test("a live report reads as any other without scripts, and on paper", async (t) => {
   const live = report("live.html", "--live");
-  const { page } = await opened(t, pathToFileURL(live).href, { offline: true, javaScriptEnabled: false });
+  const { page } = await openFile(t, live, { javaScriptEnabled: false });
   assert.equal(await page.locator(".live").isVisible(), false);
   assert.match(await page.locator(".headline").textContent(), /Squeals/);
-  const paper = await opened(t, pathToFileURL(live).href, { offline: true });
+  const paper = await openFile(t, live);
   assert.equal(await paper.page.locator(".live").isVisible(), true);
   await paper.page.emulateMedia({ media: "print" });
   assert.equal(await paper.page.locator(".live").isVisible(), false);
@@ -87,10 +74,7 @@ function cell(file) {
 test("cells of a notebook have a page each, and leave the notebook's address alone", async (t) => {
   const cells = [];
   for (const kind of ["creak", "quiet"]) {
-    const file = join(folder, `${kind}.html`);
-    const input = execFileSync(program, ["init", kind]);
-    execFileSync(program, ["page", "-", "-o", file], { input });
-    cells.push(cell(file).toString());
+    cells.push(cell(write(join(folder, `${kind}.html`), ready(kind))).toString());
   }
   const notebook = Buffer.from(`<!doctype html><meta charset="utf-8"><title>Notebook</title>${cells.join("<hr>")}`);
   const server = createServer((request, response) => {
@@ -107,7 +91,7 @@ test("cells of a notebook have a page each, and leave the notebook's address alo
   await browser.goto();
   const frames = [0, 1].map((k) => page.frameLocator(`iframe >> nth=${k}`));
   for (const frame of frames) await settled(frame);
-  assert.deepEqual(await Promise.all(frames.map(verdict)), ["creak", "none"]);
+  assert.deepEqual(await Promise.all(frames.map((each) => verdict(each))), ["creak", "none"]);
   const before = await page.evaluate(() => history.length);
   const [frame] = frames;
   await frame.locator("#share summary").click();
@@ -120,7 +104,7 @@ test("cells of a notebook have a page each, and leave the notebook's address alo
   await frame.locator("#save-page").click();
   const saved = join(folder, "saved.html");
   await (await saving).saveAs(saved);
-  const again = await opened(t, pathToFileURL(saved).href, { offline: true });
+  const again = await openFile(t, saved);
   await settled(again.page);
   assert.equal(await again.page.locator("#verdict").getAttribute("data-going"), "squeal");
   assert.ok((await readFile(saved)).length < 1.65e6, "each letter is a byte");

@@ -1,13 +1,11 @@
 // The page in one file in a real browser, opened from the disk: nothing is asked of anybody, and all of it works.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { pathToFileURL } from "node:url";
-import { openPage, program } from "../browser/session.mjs";
 import { until } from "../until.mjs";
+import { openFile, ready, saved, settled, verdict, write } from "./one_file.mjs";
 
 let folder;
 
@@ -17,41 +15,18 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-/** A file of the page, with a case (TOML) where one is given. */
-function written(name, toml) {
-  const file = join(folder, name);
-  execFileSync(program, ["page", ...(toml ? ["-"] : []), "-o", file], { input: toml ?? "" });
-  return file;
-}
-
-const ready = (kind) => execFileSync(program, ["init", kind], { encoding: "utf8" });
-
-async function opened(t, file, fragment = "", options = {}) {
-  const origin = pathToFileURL(file).href;
-  // offline: what would be asked of a network fails, and is a sin
-  const browser = await openPage({ origin, link: () => origin }, { offline: true, ...options });
-  t.after(() => browser.close());
-  await browser.goto(fragment);
-  return browser;
-}
-
-async function settled(page) {
-  await page.waitForSelector('#verdict[aria-busy="false"]');
-  await page.waitForSelector('#chart[data-done="true"]');
-}
-
-const verdict = (page, direction) => page.locator("#verdict").getAttribute(`data-${direction}`);
+const written = (name, toml) => write(join(folder, name), toml);
 
 test("opens from the disk, judges, charts and says that nothing leaves", async (t) => {
-  const { page, sins } = await opened(t, written("plain.html"));
+  const { page, sins } = await openFile(t, written("plain.html"));
   await settled(page);
-  assert.equal(await verdict(page, "going"), "squeal");
+  assert.equal(await verdict(page), "squeal");
   assert.equal(await verdict(page, "coming"), "none");
   assert.match(await page.locator("#purpose").textContent(), /nothing leaves this machine/);
   const friction = page.locator('[data-field="contact.kinetic_friction"]');
   await friction.fill("0.3");
   await friction.press("Enter");
-  await until(async () => (await verdict(page, "going")) !== "squeal", "another verdict");
+  await until(async () => (await verdict(page)) !== "squeal", "another verdict");
   await settled(page);
   for (const view of ["spectra", "modes", "energy", "friction", "listen", "quiet", "response"]) {
     await page.locator(`#tab-${view}`).click();
@@ -66,7 +41,7 @@ test("opens from the disk, judges, charts and says that nothing leaves", async (
 
 test("begins with the case in it, whatever its structure", async (t) => {
   for (const kind of ["weatherstrip", "two-lips", "chain", "string"]) {
-    const { page, sins } = await opened(t, written(`${kind}.html`, ready(kind)));
+    const { page, sins } = await openFile(t, written(`${kind}.html`, ready(kind)));
     await page.waitForSelector('#verdict[aria-busy="false"]');
     assert.equal(await page.locator("#complaint").isVisible(), false, kind);
     assert.match(page.url(), /preset=file/);
@@ -79,7 +54,7 @@ test("a case cannot say more than a case", async (t) => {
   const toml = `title = '${script.replaceAll("'", '"')}'\n${ready("squeal").replace(/^title.*\n/m, "")}`;
   const fragment = `#preset=${encodeURIComponent(script)}&set=${encodeURIComponent(script)}`;
   for (const hash of ["", fragment]) {
-    const { page, sins } = await opened(t, written("hostile.html", toml), hash);
+    const { page, sins } = await openFile(t, written("hostile.html", toml), { fragment: hash });
     if (hash) await until(async () => /no preset/.test(await page.locator("#complaint").textContent()), "the refusal");
     else await settled(page);
     assert.equal(await page.title(), "Stridor");
@@ -89,33 +64,31 @@ test("a case cannot say more than a case", async (t) => {
 });
 
 test("saves itself with the design, and opens a case file", async (t) => {
-  const { page, sins } = await opened(t, written("save.html"), "#preset=creak");
+  const { page, sins } = await openFile(t, written("save.html"), { fragment: "#preset=creak" });
   await settled(page);
   await page.locator("#share summary").click();
-  const download = page.waitForEvent("download");
-  await page.locator("#save-page").click();
-  const saved = join(folder, "saved.html");
-  await (await download).saveAs(saved);
-  const again = await opened(t, saved);
+  const file = join(folder, "saved.html");
+  await writeFile(file, await saved(page, () => page.locator("#save-page").click()));
+  const again = await openFile(t, file);
   await settled(again.page);
-  assert.equal(await verdict(again.page, "going"), "creak");
-  const size = async (file) => (await readFile(file)).length;
-  assert.ok((await size(saved)) < (await size(written("plain.html"))) + 20_000);
-  const file = join(folder, "quiet.toml");
-  await writeFile(file, ready("quiet"));
-  await page.locator("#open-case").setInputFiles(file);
+  assert.equal(await verdict(again.page), "creak");
+  const size = async (path) => (await readFile(path)).length;
+  assert.ok((await size(file)) < (await size(written("plain.html"))) + 20_000);
+  const quiet = join(folder, "quiet.toml");
+  await writeFile(quiet, ready("quiet"));
+  await page.locator("#open-case").setInputFiles(quiet);
   await until(async () => page.url().includes("preset=file"), "the case");
   await settled(page);
-  assert.equal(await verdict(page, "going"), "none");
+  assert.equal(await verdict(page), "none");
   await page.locator("#share summary").click();
-  await writeFile(file, "contact = 1\n");
-  await page.locator("#open-case").setInputFiles(file);
+  await writeFile(quiet, "contact = 1\n");
+  await page.locator("#open-case").setInputFiles(quiet);
   await until(async () => (await page.locator("#share-note").textContent()).includes("contact"), "the refusal");
   assert.deepEqual([...sins, ...again.sins], []);
 });
 
 test("without WebAssembly it says what to do", async (t) => {
-  const { page } = await opened(t, written("plain.html"));
+  const { page } = await openFile(t, written("plain.html"));
   await page.addInitScript(() => delete globalThis.WebAssembly);
   await page.reload();
   await page.waitForSelector('p.complaint[role="alert"]');

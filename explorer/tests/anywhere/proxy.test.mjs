@@ -1,4 +1,4 @@
-// A session with the page in one file, with a proxy in front of everything outside: it refuses all, and counts who asks.
+// A session with the page in one file behind a proxy through which all would go: it refuses all, and counts who asks.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
