@@ -40,6 +40,7 @@ SYNTHETIC = 0.5  # weight of all synthetic sounds over that of all clips
 ROOMS, IN_A_ROOM = ["room_0.3_s", "room_0.8_s"], 0.3  # copies that are learnt from, and the weight of one
 MOST_DEVIATIONS = 2.5  # as in ear.cpp
 LEAST_SHARE, QUIET_DEPTH = 0.2, 25.0  # thresholds of the verdict of the whole
+STANDING = {"train": ("row", 0.5), "tone_presence": ("line", 0.6)}  # figure: what stands in a sound from where on
 RUBBING = re.compile(r"scrap|slid|drag|brush|sand|rubb|writ|eras|saw|zip|wip|plan|scratch", re.I)
 CREAK = HEARD.index("creak")
 
@@ -193,6 +194,26 @@ def cross_validated(clips, learnt, synthetic, names, others=()):
     return verdicts
 
 
+def standing(passages):
+    """What stands in a recording, in its passages that are no background."""
+    energy = np.array([passage["energy"] for passage in passages])
+    heard = energy >= energy.max() * 10.0 ** (-QUIET_DEPTH / 10.0)
+    return {what for figure, (what, least) in STANDING.items()
+            if any(kept and one["figures"][figure] >= least for one, kept in zip(passages, heard))}
+
+
+def quiet_shares(clips, verdicts):
+    """How sure quiet is where a row or a line stands in the sound: the share of such verdicts that is right, with one
+    right and one wrong one added (Laplace's rule)."""
+    shares = {}
+    for what, _ in STANDING.values():
+        right = ["none" in row["expected"].split("|") for (row, passages), (category, _) in zip(clips, verdicts)
+                 if category == 0 and what in standing(passages)]
+        print(f"none where a {what} stands in the sound: {sum(right)} of {len(right)} right")
+        shares[what] = (sum(right) + 1) / (len(right) + 2)
+    return shares
+
+
 def report(title, clips, verdicts):
     expected = [row["expected"].split("|") for row, _ in clips]
     heard = [CATEGORIES[category] for category, _ in verdicts]
@@ -213,12 +234,15 @@ def report(title, clips, verdicts):
           f" none {share(high & none)}; all: squeal against squeak, of those heard as tones: {share(single & as_tone)}")
 
 
-def header(model):
+def header(model, shares):
     def numbers(values):
         return ", ".join(repr(round(float(value), 4)) for value in values)
 
     rows = ",\n    ".join(f"std::array{{{numbers(model.table[1:, k])}}}" for k in range(len(HEARD)))
     count = model.table.shape[0] - 1
+    standing_there = "\n".join(
+        f"inline constexpr EarStanding ear_{what}{{{least}, {numbers([shares[what]])}}};  // {figure}"
+        for figure, (what, least) in STANDING.items())
     return f"""#pragma once
 
 #include <array>
@@ -226,6 +250,13 @@ def header(model):
 /// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `EarOutcome`. bench/ear/train.py
 /// writes this file.
 namespace stridor::classification {{
+
+/// What may stand in a sound that is heard as quiet.
+struct EarStanding {{
+    double least;  // [1] of its figure, from where on it stands there
+    double right;  // [1] share of such verdicts that is right, by cross-validation over sources
+}};
+{standing_there}
 
 inline constexpr std::array<double, {count}> ear_means{{{numbers(model.mean)}}};
 inline constexpr std::array<double, {count}> ear_scales{{{numbers(model.scale)}}};
@@ -281,13 +312,16 @@ def main():
     for pair, each in zip(pairs, sets):
         report(pair, each, verdicts[first:first + len(each)])
         first += len(each)
+    shares = None
     for kind, each, said in zip(["together", *kinds], [clips, *copies], [verdicts, *of_copies]):
         friction = [not row["no_friction"] for row, _ in each]
-        report(kind, *([one for one, kept in zip(some, friction) if kept] for some in (each, said)))
+        of_friction = [[one for one, kept in zip(some, friction) if kept] for some in (each, said)]
+        report(kind, *of_friction)
+        shares = shares or quiet_shares(*of_friction)
     model = fitted(learnt[:3], synthetic, names)
     if options.out:
         with open(options.out, "w") as text:
-            text.write(header(model))
+            text.write(header(model, shares))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,16 @@
 #include "stridor/classification/recording_verdict.hpp"
 
+#include "stridor/classification/ear_weights.hpp"
 #include "stridor/classification/sound_rules.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace stridor::classification {
@@ -152,6 +156,47 @@ bool is_unlike_friction(std::span<const HeardPassage> heard) {
     return other >= no_friction * whole;
 }
 
+// Which of a sound's figures argues against quiet, and what it shows.
+struct QuietDoubt {
+    std::string_view figure;
+    std::string_view words;
+    EarStanding fitted;
+};
+
+constexpr std::array quiet_doubts{
+    QuietDoubt{"train", "a row of onsets stands in it", ear_row},
+    QuietDoubt{"tone_presence", "a tone stands in it", ear_line},
+};
+
+// the greatest value of a figure in what is no background
+double greatest_of(std::string_view figure, std::span<const HeardPassage> heard, const SoundThresholds& t) {
+    const auto figures = ear_figures();
+    const auto place = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == figure; });
+    const auto power = [](const HeardPassage& passage) { return passage.energy / (passage.to - passage.from); };
+    double loudest = 0.0;
+    for (const HeardPassage& passage : heard)
+        loudest = std::max(loudest, power(passage));
+    double greatest = 0.0;
+    for (const HeardPassage& passage : heard)
+        if (power(passage) > loudest * std::pow(10.0, -0.1 * t.quiet_depth))
+            greatest = std::max(greatest, passage.ear.values[static_cast<std::size_t>(place - figures.begin())]);
+    return greatest;
+}
+
+// Quiet is not sure where a row or a tone stands in the sound: no more than such verdicts were right. Returns the
+// words.
+std::string doubt_quiet(RecordingVerdict& verdict, const SoundThresholds& t) {
+    std::string words;
+    for (const QuietDoubt& standing : quiet_doubts) {
+        const double value = greatest_of(standing.figure, verdict.passages, t);
+        if (value < standing.fitted.least) continue;
+        verdict.probability = std::min(verdict.probability, standing.fitted.right);
+        words += fmt::format(", though {}, {} {:.2f}: {:.0f} % of such verdicts were right", standing.words,
+                             standing.figure, value, 100.0 * standing.fitted.right);
+    }
+    return words;
+}
+
 void decide(RecordingVerdict& verdict, const SoundThresholds& t) {
     const auto noises = {Category::squeal, Category::squeak, Category::creak};
     const Category strongest = std::max(
@@ -166,10 +211,11 @@ void decide(RecordingVerdict& verdict, const SoundThresholds& t) {
     }
     if (energy > 0.0) verdict.probability /= energy;
     const bool is_noise = verdict.category != Category::none;
+    const std::string doubt = is_noise ? std::string() : doubt_quiet(verdict, t);
     const std::string_view quiet =
         is_unlike_friction(verdict.passages) ? "sounds like no friction" : "mere rubbing, or no friction";
     std::string reason = is_noise ? fmt::format("{:.0f} % of the energy", 100.0 * share) : std::string(quiet);
-    reason += fmt::format(", probability {:.2f}", verdict.probability);
+    reason += fmt::format(", probability {:.2f}{}", verdict.probability, doubt);
     if (is_noise && share < over_rubbing) reason += ", over rubbing or other sounds";
     verdict.reasons.push_back(std::move(reason));
     for (const Category other : noises)

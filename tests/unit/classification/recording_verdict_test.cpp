@@ -1,5 +1,6 @@
 #include "stridor/classification/recording_verdict.hpp"
 
+#include "stridor/classification/ear_weights.hpp"
 #include "support/made_sounds.hpp"
 
 #include <gtest/gtest.h>
@@ -110,6 +111,61 @@ TEST(RecordingVerdict, AbstainsBelowTheCertaintyAskedFor) {
     const RecordingVerdict verdict = verdict_on(analysed({support::creak()}), thresholds);
     EXPECT_EQ(verdict.category, Category::undecided);
     EXPECT_NE(verdict.reasons.back().find("not likely enough"), std::string::npos);
+}
+
+// clicks that nothing rings after, so many a second
+signal::Signal clicks(double rate) {
+    signal::Signal sound = softer(support::hiss(3.0), 0.003);
+    for (double t = 0.1; t < 2.9; t += 1.0 / rate)
+        sound.samples[static_cast<std::size_t>(t * sound.rate)] += 0.5;
+    return sound;
+}
+
+// a row without ringing is heard as quiet, and with the certainty that such verdicts have
+TEST(RecordingVerdict, IsNotSureOfQuietWhereARowStandsInTheSound) {
+    std::size_t quiet = 0;
+    for (const double rate : {12.0, 20.0, 30.0, 45.0}) {
+        const RecordingVerdict verdict = verdict_on(analysed({clicks(rate)}), {});
+        if (verdict.category != Category::none) continue;
+        ++quiet;
+        EXPECT_LE(verdict.probability, ear_row.right) << rate;
+        EXPECT_NE(verdict.reasons.front().find("though a row of onsets stands in it, train "), std::string::npos)
+            << rate << ": " << verdict.reasons.front();
+    }
+    EXPECT_GT(quiet, 0U);
+    const RecordingVerdict hiss = verdict_on(analysed({support::hiss(3.0)}), {});
+    EXPECT_EQ(hiss.category, Category::none);
+    EXPECT_GT(hiss.probability, ear_row.right);
+    EXPECT_EQ(hiss.reasons.front().find("though"), std::string::npos) << hiss.reasons.front();
+    // what is far below the rest argues for nothing
+    const RecordingVerdict over = verdict_on(
+        analysed({support::hiss(3.0), softer(support::hiss(1.0), 0.0), softer(support::squeal(3.0), 1e-3)}), {});
+    EXPECT_EQ(over.category, Category::none);
+    EXPECT_EQ(over.reasons.front().find("though"), std::string::npos) << over.reasons.front();
+}
+
+// both channels alike, one of them 1.4 dB softer or silent, or mixed to one: the recording is what its sound is
+TEST(RecordingVerdict, IsTheSameInStereoAndInMono) {
+    for (const signal::Signal& sound : {support::creak(), support::squeal(2.0), support::hiss(2.0)}) {
+        const RecordingVerdict usual = verdict_on(analysed({sound}), {});
+        const double soft = std::pow(10.0, -0.05 * 1.4);
+        for (const double factor : {1.0, soft, 0.0}) {
+            const signal::Signal other = softer(sound, factor);
+            for (const auto& stereo : {std::vector{sound, other}, std::vector{other, sound}}) {
+                const std::vector<sound::SoundAnalysis> channels = sound::analyse(*signal::source_of(stereo));
+                const RecordingVerdict heard = verdict_on(channels[sound::loudest(channels)], {});
+                EXPECT_EQ(heard.category, usual.category) << factor;
+                EXPECT_EQ(heard.probability, usual.probability) << factor;
+                // the softer one says so, too, and silence says nothing
+                const std::size_t softest = 1 - sound::loudest(channels);
+                EXPECT_EQ(verdict_on(channels[softest], {}).category, factor > 0.0 ? usual.category : Category::none);
+            }
+            signal::Signal mixed = sound;
+            for (std::size_t n = 0; n < mixed.samples.size(); ++n)
+                mixed.samples[n] = 0.5 * (sound.samples[n] + other.samples[n]);
+            EXPECT_EQ(verdict_on(analysed({mixed}), {}).category, usual.category) << factor;
+        }
+    }
 }
 
 TEST(RecordingVerdict, TakesWhatIsFarBelowForBackground) {
