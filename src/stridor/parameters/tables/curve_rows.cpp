@@ -13,10 +13,6 @@ std::string rows_text(const std::vector<double>& places, const std::vector<doubl
     return text;
 }
 
-bool has_rows(std::string_view text) {
-    return text.find(':') != std::string_view::npos;
-}
-
 void refuse_row(std::size_t row, const CurveWords& words, const std::string& what, const std::string& why,
                 const std::string& remedy) {
     base::refuse("row " + std::to_string(row) + " of the " + std::string(words.table) + " " + what, why, remedy);
@@ -24,6 +20,12 @@ void refuse_row(std::size_t row, const CurveWords& words, const std::string& wha
 
 CurveRows parse_rows(std::string_view text, const CurveWords& words) {
     CurveRows rows;
+    if (text.find(':') == std::string_view::npos) {
+        rows.file = base::trimmed(text);
+        if (rows.file.empty())
+            base::refuse("the " + std::string(words.table) + " is empty", "", "Give rows, or a CSV file.");
+        return rows;
+    }
     for (std::size_t row = 1; !text.empty(); ++row) {
         const std::size_t end = text.find(',');
         const std::string_view one = base::trimmed(text.substr(0, end));

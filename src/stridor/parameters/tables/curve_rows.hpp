@@ -8,10 +8,11 @@
 /// The rows of a measured curve as text, "0: 0.8, 10 mm/s: 0.6": friction over speed, force over deflection.
 namespace stridor::parameters {
 
-/// Rows of a curve; shape [row].
+/// Rows of a curve, shape [row], or the name of the file that has them.
 struct CurveRows {
-    std::vector<double> places;
-    std::vector<double> values;
+    std::string file{};  // a CSV, not opened here; empty: the rows are these
+    std::vector<double> places{};
+    std::vector<double> values{};
 };
 
 /// How a table is called, and what stands in a row of it.
@@ -29,10 +30,8 @@ inline constexpr std::size_t most_curve_rows = 10000;
 /// Returns "0: 0.8, 0.01: 0.6".
 std::string rows_text(const std::vector<double>& places, const std::vector<double>& values);
 
-/// Says whether a text has rows; without a colon it is the name of a file.
-bool has_rows(std::string_view text);
-
-/// Reads rows as text. Throws `Error` (input) without a place for what is none.
+/// Reads rows as text; one without a colon is the name of a file. Throws `Error` (input) without a place for what is
+/// none.
 CurveRows parse_rows(std::string_view text, const CurveWords& words);
 
 /// Throws `Error` (input) without a place: row number `row`, from 1, is wrong.

@@ -20,16 +20,9 @@ std::string force_table_text(const ForceTable& table) {
 }
 
 ForceTable parse_force_table(std::string_view text) {
-    ForceTable table;
-    if (!has_rows(text)) {
-        table.file = base::trimmed(text);
-        if (table.file.empty()) base::refuse("the table of force is empty", "", "Give rows, or a CSV file.");
-        return table;
-    }
     CurveRows rows = parse_rows(text, force_words);
-    table.deflections = std::move(rows.places);
-    table.forces = std::move(rows.values);
-    expect_rising(table);
+    ForceTable table{std::move(rows.file), std::move(rows.places), std::move(rows.values)};
+    if (table.file.empty()) expect_rising(table);
     return table;
 }
 

@@ -21,16 +21,9 @@ std::string friction_table_text(const FrictionTable& table) {
 }
 
 FrictionTable parse_friction_table(std::string_view text) {
-    FrictionTable table;
-    if (!has_rows(text)) {
-        table.file = base::trimmed(text);
-        if (table.file.empty()) base::refuse("the table of friction is empty", "", "Give rows, or a CSV file.");
-        return table;
-    }
     CurveRows rows = parse_rows(text, friction_words);
-    table.speeds = std::move(rows.places);
-    table.coefficients = std::move(rows.values);
-    expect_function(table);
+    FrictionTable table{std::move(rows.file), std::move(rows.places), std::move(rows.values)};
+    if (table.file.empty()) expect_function(table);
     return table;
 }
 
