@@ -32,7 +32,8 @@ public:
         if (!has_begun_ && !samples.empty()) begin(samples.front());
         while (!samples.empty()) {
             const std::size_t count = std::min(length_ - filled_, samples.size());
-            samples_ == Samples::kept ? keep(samples.first(count)) : add(samples.first(count));
+            samples_ == Samples::kept ? take<Samples::kept>(samples.first(count))
+                                      : take<Samples::forgotten>(samples.first(count));
             samples = samples.subspan(count);
             filled_ += count;
             if (filled_ < length_) continue;
@@ -52,26 +53,16 @@ private:
         section_.second = section_.biquad.b2 * x;
     }
 
-    void add(std::span<const double> samples) {
-        signal::RunningBiquad section = section_;
-        double sum = sum_;
-        for (const double x : samples) {
-            const double y = section.next(x);
-            sum += y * y;
-        }
-        section_ = section;
-        sum_ = sum;
-    }
-
-    void keep(std::span<const double> samples) {
+    template <Samples kept>
+    void take(std::span<const double> samples) {
         const std::size_t before = sample_squares.size();
-        sample_squares.resize(before + samples.size());
-        double* squared = sample_squares.data() + before;
+        if constexpr (kept == Samples::kept) sample_squares.resize(before + samples.size());
+        [[maybe_unused]] double* squared = sample_squares.data() + before;
         signal::RunningBiquad section = section_;
         double sum = sum_;
         for (const double x : samples) {
             const double y = section.next(x);
-            *squared++ = y * y;
+            if constexpr (kept == Samples::kept) *squared++ = y * y;
             sum += y * y;
         }
         section_ = section;
