@@ -4,7 +4,7 @@
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/integration/steps/moreau.hpp"
 #include "stridor/model/built/bowed_string.hpp"
-#include "stridor/model/joints_on_plate.hpp"
+#include "stridor/model/built/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/structures/meshed_strip.hpp"
 

@@ -2,7 +2,7 @@
 // by instruction set, and the set-up.
 
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // of springs with lumped masses, and on two joints on a plate.
 
 #include "stridor/integration/steps/moreau.hpp"
-#include "stridor/model/joints_on_plate.hpp"
+#include "stridor/model/built/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <benchmark/benchmark.h>

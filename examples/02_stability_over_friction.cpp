@@ -3,7 +3,7 @@
 // A builder makes a structure with a contact out of a case; the analysis sees only the structure.
 
 #include "stridor/analysis/stability_scan.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <iostream>

@@ -13,7 +13,6 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/cell.hpp"
 
 #include <pybind11/numpy.h>

@@ -11,6 +11,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/io/simulation/stroke_texts.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/trace.hpp"
 #include "stridor/sweep/following.hpp"
 #include "stridor/sweep/strokes.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/friction/friction_jet.hpp"
+#include "stridor/model/laws/friction_jet.hpp"
 #include "support/belt_run.hpp"
 #include "support/error_text.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/impact.hpp"
+#include "stridor/model/laws/impact.hpp"
 
 #include <gtest/gtest.h>
 

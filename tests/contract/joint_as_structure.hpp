@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/case_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/start.hpp"

@@ -53,7 +53,9 @@ Motion run(const WildStructure& wild, parameters::EarlyEnding ending, double int
                               static_cast<int>(wild.structure.contacts.size()), 0,
                               model::interfaces_of(wild.structure));
     parameters::Case c;
-    c.own_structure = std::make_shared<parameters::OwnStructure>();
+    parameters::OwnStructure own;
+    own.row.resize(static_cast<std::size_t>(model::dofs_of(wild.structure)));  // it has no other start
+    c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
     c.run.initial = wild.initial;
     const double V = integration::ImposedMotion(wild.drive, 1.0, wild.duration).at(0.0).velocity;
     return integration::integrate_taylor(wild.structure, wild.drive, integration::initial_state(c, wild.structure, V),

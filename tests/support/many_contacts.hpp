@@ -3,7 +3,7 @@
 #include "stridor/integration/run/initial_state.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/integration/steps/moreau.hpp"
-#include "stridor/model/joints_on_plate.hpp"
+#include "stridor/model/built/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/effort.hpp"
 

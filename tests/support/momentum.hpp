@@ -1,9 +1,9 @@
 #pragma once
 
 #include "stridor/integration/run/motion.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/complement.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/linear/complement.hpp"
+#include "stridor/parameters/rules/engines.hpp"
 
 #include <Eigen/Core>
 

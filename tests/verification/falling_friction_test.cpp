@@ -6,7 +6,7 @@
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/case_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/rules/check.hpp"
 #include "support/belt_run.hpp"
 #include "support/many_contacts.hpp"

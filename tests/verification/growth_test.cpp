@@ -4,7 +4,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/case_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "support/effort.hpp"
 #include "support/random_structures.hpp"
 

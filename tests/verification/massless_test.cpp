@@ -4,7 +4,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/steps/formulations.hpp"
-#include "stridor/model/modal_damping.hpp"
+#include "stridor/model/linear/modal_damping.hpp"
 #include "support/effort.hpp"
 #include "support/many_contacts.hpp"
 #include "support/structures/blocks_on_plane.hpp"

@@ -5,10 +5,10 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/trace.hpp"
 #include "support/many_contacts.hpp"
 

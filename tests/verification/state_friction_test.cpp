@@ -6,9 +6,9 @@
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 #include "stridor/record/trace.hpp"
 #include "support/many_contacts.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/linearised.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/linear/linearised.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/parameters/rules/engines.hpp"

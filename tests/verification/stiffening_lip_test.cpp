@@ -7,7 +7,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/model/case_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "support/effort.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // A strip of rubber on a moving surface (the Taylor engine): shares against those of a prototype written apart from it,
 // and which of its reductions are doubted.
 
-#include "stridor/model/contact_compliance.hpp"
+#include "stridor/model/contact/contact_compliance.hpp"
 #include "support/effort.hpp"
 #include "support/many_contacts.hpp"
 #include "support/structures/meshed_strip.hpp"

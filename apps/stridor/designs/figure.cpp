@@ -129,12 +129,9 @@ constexpr double law_samples = 1e5;
 void draw_law(const LawOptions& options) {
     const Case c = load_case(options.figure.input);
     if (!options.has_visited) return draw(pictures::friction_law_of(c), options.figure);
-    if (c.own_structure)
-        base::refuse("--visited knows a joint on its plate", "a structure of one's own has no one slip velocity",
-                     "Leave it out.");
     const Interrupt interrupt;
     const record::TraceRequest judged{c.run.duration - c.run.window, c.run.duration, c.run.window / law_samples};
-    draw(pictures::friction_law_of(c, pictures::visited_velocities(recorded(c, judged, interrupt.token()).trace)),
+    draw(pictures::friction_law_of(c, pictures::visited_velocities(c, recorded(c, judged, interrupt.token()).trace)),
          options.figure);
 }
 

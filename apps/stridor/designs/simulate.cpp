@@ -13,7 +13,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
 #include "stridor/parameters/fields/field.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/storage/atomic_file.hpp"
@@ -112,7 +112,7 @@ void simulate(const SimulateOptions& options) {
     }
     console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                                 : console::simulation_text(c, motion, verdicts));
-    if (!options.json && console::has_terminal() && !c.own_structure)
+    if (!options.json && console::has_terminal() && parameters::has_plate(c))
         console::say(console::styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}",
                                                  options.input.file, c.contact().static_friction),
                                      console::Style::dim, STDERR_FILENO));

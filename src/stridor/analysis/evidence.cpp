@@ -3,6 +3,7 @@
 #include "stridor/analysis/rates.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,13 @@
 namespace stridor::analysis {
 
 std::string_view level_title(const parameters::Case& c) {
-    return c.own_structure ? "level" : "joint level";
+    return parameters::has_plate(c) ? "joint level" : "level";
 }
 
 std::string_view level_note(const parameters::Case& c) {
-    return c.own_structure
-               ? "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure."
-               : "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
+    return parameters::has_plate(c)
+               ? "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure."
+               : "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 }
 
 namespace {

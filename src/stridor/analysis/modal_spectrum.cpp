@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
-#include "stridor/model/linearised.hpp"
+#include "stridor/model/linear/linearised.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/model/complement.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/model/linearised.hpp"
+#include "stridor/model/linear/complement.hpp"
+#include "stridor/model/linear/linearised.hpp"
 
 #include <algorithm>
 #include <cmath>

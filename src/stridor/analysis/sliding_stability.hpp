@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/model/sliding_motion.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
+#include "stridor/model/linear/sliding_motion.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
 

@@ -4,7 +4,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/model/case_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 

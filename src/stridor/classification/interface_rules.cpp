@@ -1,7 +1,7 @@
 #include "stridor/classification/interface_rules.hpp"
 
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/fields/field.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/refinement.hpp"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ const Preset& preset_in(const World& world, const Json& body) {
 // a slow structure may take minutes of its time, and little of ours
 bool is_slow_enough(const parameters::Case& c) {
     constexpr double most = 5.0;  // [s] of one core
-    return c.own_structure && structure_seconds(c) <= most;
+    return !parameters::has_plate(c) && structure_seconds(c) <= most;
 }
 
 void limit_run(const parameters::Case& c) {

@@ -1,8 +1,8 @@
 #include "stridor/explorer/sent_columns.hpp"
 
 #include "stridor/io/simulation/simulation_tables.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/trace.hpp"
 
 #include <string_view>
@@ -13,27 +13,34 @@ namespace stridor::explorer {
 
 namespace {
 
-/// A degree of freedom as the page knows it.
-struct SentDof {
-    std::string name;  // x1 and y1 of the first joint, y2 of the plate; x_lip2 and y_lip2 of a further joint
-    std::string whose;
+/// A point as the page knows it: what moves, and its weights.
+struct SentPoint {
+    std::string name;   // x1 and y1 of the first joint, y2 of the plate; x_lip2 and y_lip2 of a further contact
+    std::string whose;  // after "displacement" and "velocity"
+    std::vector<double> weights;
 };
 
-std::vector<SentDof> dofs_of(const parameters::Case& c) {
-    std::vector<std::string> names = io::dof_names(parameters::Case{});
-    std::vector<SentDof> dofs;
-    for (std::size_t dof = 0; dof < names.size(); ++dof)
-        dofs.push_back({names[dof], std::string(io::dof_sentences[dof])});
-    if (!parameters::has_several_joints(c)) return dofs;
-    names = io::dof_names(c);
-    const SentDof plate = dofs.back();
-    dofs.pop_back();
-    for (std::size_t dof = dofs.size(); dof + 1 < names.size(); ++dof)
-        dofs.push_back({names[dof], dofs[dof % 2].whose});
-    for (std::size_t dof = 0; dof < dofs.size(); ++dof)
-        dofs[dof].whose.replace(0, std::string_view("of the joint").size(), "of " + parameters::joint_name(c, dof / 2));
-    dofs.push_back(plate);
-    return dofs;
+void add_points(std::vector<SentPoint>& points, const parameters::Case& c, std::size_t contact) {
+    using parameters::PointAxis;
+    const bool is_joint = parameters::has_plate(c);
+    const bool is_first_joint = is_joint && contact == 0;
+    const std::string name = parameters::contact_name(c, contact);
+    const std::string ending = parameters::contact_count(c) == 1 || is_first_joint ? "1" : "_" + name;
+    const std::string whose = parameters::has_one_joint(c) ? "of the " + name : "of " + name;
+    points.push_back({"x" + ending, whose + (is_joint ? " along the plate" : " along the sliding direction"),
+                      parameters::point_weights(c, contact, PointAxis::sliding)});
+    points.push_back({"y" + ending, whose + (is_joint ? " across the plate" : " along the normal"),
+                      parameters::point_weights(c, contact, PointAxis::normal)});
+}
+
+std::vector<SentPoint> points_of(const parameters::Case& c) {
+    std::vector<SentPoint> points;
+    for (std::size_t contact = 0; contact < parameters::contact_count(c); ++contact)
+        add_points(points, c, contact);
+    if (parameters::has_plate(c))
+        points.push_back({"y2", "of the plate across the contact",
+                          parameters::weight_of_one(c, parameters::coordinate_count(c) - 1)});
+    return points;
 }
 
 void add_samples(const std::vector<double>& samples, std::vector<float>& sent) {
@@ -65,52 +72,33 @@ SentColumn weighed(std::string name, std::string_view unit, std::string sentence
             }};
 }
 
-void add_joints(std::vector<SentColumn>& columns, const parameters::Case& c) {
-    const std::vector<SentDof> dofs = dofs_of(c);
-    for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
-        for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
-            const bool is_place = column.samples == &record::Trace::displacement;
-            columns.push_back({dofs[dof].name + (is_place ? "" : "_" + std::string(column.name)),
-                               std::string(column.unit),
-                               std::string(is_place ? "displacement" : column.name) + " " + dofs[dof].whose,
-                               [member = column.samples, dof](const record::Trace& trace, std::vector<float>& sent) {
-                                   add_samples((trace.*member)[dof], sent);
-                               }});
-        }
-}
-
-void add_structure(std::vector<SentColumn>& columns, const parameters::OwnStructure& own) {
-    for (const parameters::OwnContact& contact : own.contacts) {
-        const std::string ending = own.contacts.size() > 1 ? "_" + contact.name : "1";
-        for (const auto& [axis, rows, way] : {std::tuple("x", &contact.tangent, " along the sliding direction"),
-                                              std::tuple("y", &contact.normal, " along the normal")}) {
-            const Weights weights = weights_of(*rows);
-            columns.push_back(weighed(axis + ending, "m", "displacement of " + contact.name + way,
-                                      &record::Trace::displacement, weights));
-            columns.push_back(weighed(axis + ending + "_velocity", "m/s", "velocity of " + contact.name + way,
-                                      &record::Trace::velocity, weights));
-        }
+void add_motions(std::vector<SentColumn>& columns, const parameters::Case& c) {
+    for (const SentPoint& point : points_of(c)) {
+        const Weights weights = weights_of(point.weights);
+        columns.push_back(
+            weighed(point.name, "m", "displacement " + point.whose, &record::Trace::displacement, weights));
+        columns.push_back(
+            weighed(point.name + "_velocity", "m/s", "velocity " + point.whose, &record::Trace::velocity, weights));
     }
-    for (const parameters::OwnOutput& output : own.outputs)
+    for (const parameters::OwnOutput& output : parameters::outputs_of(c))
         columns.push_back(weighed("velocity_" + output.name, "m/s", "velocity of " + output.name,
                                   &record::Trace::velocity, weights_of(output.weights)));
-    for (std::size_t k = 0; k < own.outline.size(); ++k)
-        for (const auto& [axis, rows] :
-             {std::pair("_x", &own.outline[k].along), std::pair("_y", &own.outline[k].across)})
+    std::size_t number = 0;
+    for (const parameters::OutlinePoint& point : parameters::outline_of(c)) {
+        ++number;
+        for (const auto& [axis, rows] : {std::pair("_x", &point.along), std::pair("_y", &point.across)})
             if (Weights weights = weights_of(*rows); !weights.empty())
-                columns.push_back(weighed("outline_" + std::to_string(k + 1) + axis, "m",
+                columns.push_back(weighed("outline_" + std::to_string(number) + axis, "m",
                                           "displacement of a point of the outline", &record::Trace::displacement,
                                           std::move(weights)));
+    }
 }
 
 }  // namespace
 
 std::vector<SentColumn> sent_columns(const parameters::Case& c) {
     std::vector<SentColumn> columns;
-    if (c.own_structure)
-        add_structure(columns, *c.own_structure);
-    else
-        add_joints(columns, c);
+    add_motions(columns, c);
     columns.push_back({std::string(record::surface_column.name), std::string(record::surface_column.unit),
                        std::string(record::surface_column.sentence),
                        [](const record::Trace& trace, std::vector<float>& sent) {

@@ -6,9 +6,9 @@
 #include "stridor/base/text.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/integration/failure.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/parameters/joints.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
 #include <algorithm>
@@ -38,21 +38,19 @@ std::string listed_names(std::vector<std::string> names) {
 
 HeardMotion motion_of_contact(const Case& c, std::size_t contact, const AskedMotion& asked) {
     const bool is_along = asked.component != "y";
-    HeardMotion motion{{0, asked.quantity}, parameters::contact_name(c, contact), is_along ? "x" : "y", contact};
-    if (!c.own_structure) {
-        motion.pickup.dof = 2 * contact + (is_along ? 0U : 1U);
-        return motion;
-    }
-    const parameters::OwnContact& own = c.own_structure->contacts[contact];
-    motion.pickup.weights = is_along ? own.tangent : own.normal;
-    return motion;
+    const auto axis = is_along ? parameters::PointAxis::sliding : parameters::PointAxis::normal;
+    return {{asked.quantity, parameters::point_weights(c, contact, axis)},
+            parameters::contact_name(c, contact),
+            is_along ? "x" : "y",
+            contact};
 }
 
-HeardMotion motion_of_plate(const AskedMotion& asked) {
+HeardMotion motion_of_plate(const Case& c, const AskedMotion& asked) {
     if (asked.component == "x")
         base::refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
                      "Listen to --component y of the plate, or to the joint.");
-    return {{sound::last_dof, asked.quantity}, "plate", "y", {}};
+    const std::size_t plate = parameters::coordinate_count(c) - 1;
+    return {{asked.quantity, parameters::weight_of_one(c, plate)}, "plate", "y", {}};
 }
 
 void expect_one_direction(const AskedMotion& asked, std::string_view of) {
@@ -71,24 +69,25 @@ const parameters::OwnOutput* find_output(const Case& c, const AskedMotion& asked
 
 HeardMotion motion_of_output(const parameters::OwnOutput& output, const AskedMotion& asked) {
     expect_one_direction(asked, "an output");
-    return {{0, asked.quantity, output.weights}, output.name, "", {}};
+    return {{asked.quantity, output.weights}, output.name, "", {}};
 }
 
 // none of its contacts: a row of an own structure
 HeardMotion motion_of_row(const Case& c, const AskedMotion& asked) {
     const std::vector<std::string> names = classification::contact_names(c);
     const std::string unknown = "\"" + base::visible(asked.of) + "\" is ";
-    if (!c.own_structure)
+    if (parameters::has_plate(c))
         base::refuse(unknown + "nothing that moves in this case", "",
                      names.size() > 1 ? "Listen to joint (the strongest), plate, " + base::listed(names) + "."
                                       : "Listen to joint or plate.");
-    const std::vector<std::string>& rows = c.own_structure->row;
+    const std::vector<std::string> rows = parameters::coordinate_names(c);
     const auto row = std::find(rows.begin(), rows.end(), asked.of);
     if (row == rows.end())
         base::refuse(unknown + "no contact, output or row of this structure", "",
                      "Listen to a contact: " + listed_names(names) + "; or to a row, as `--trace` names them.");
     expect_one_direction(asked, "a row");
-    return {{static_cast<std::size_t>(row - rows.begin()), asked.quantity}, *row, "", {}};
+    const auto coordinate = static_cast<std::size_t>(row - rows.begin());
+    return {{asked.quantity, parameters::weight_of_one(c, coordinate)}, *row, "", {}};
 }
 
 const char* quantity_word(signal::MotionQuantity quantity) {
@@ -101,7 +100,7 @@ std::string along(const std::string& component) {
 
 // nothing where the strongest of several contacts is asked for
 std::optional<HeardMotion> named_motion(const Case& c, const AskedMotion& asked) {
-    if (asked.of == "plate" && !c.own_structure) return motion_of_plate(asked);
+    if (asked.of == "plate" && parameters::has_plate(c)) return motion_of_plate(c, asked);
     if (const parameters::OwnOutput* output = find_output(c, asked)) return motion_of_output(*output, asked);
     const std::vector<std::string> names = classification::contact_names(c);
     if (asked.of == by_default) return names.size() > 1 ? std::nullopt : std::optional(motion_of_contact(c, 0, asked));
@@ -118,12 +117,8 @@ constexpr std::size_t least_frame = 64;
 constexpr double frames = 4.0;  // [1] of a stretch: more smooth a spectrum, and blur its lines
 
 Eigen::VectorXd weights_of(const sound::Pickup& pickup, Eigen::Index dofs) {
-    Eigen::VectorXd weights = Eigen::VectorXd::Zero(dofs);
-    for (std::size_t k = 0; k < pickup.weights.size(); ++k)
-        weights(static_cast<Eigen::Index>(k)) = pickup.weights[k];
-    if (pickup.weights.empty())
-        weights(pickup.dof == sound::last_dof ? dofs - 1 : static_cast<Eigen::Index>(pickup.dof)) = 1.0;
-    return weights;
+    STRIDOR_EXPECT(static_cast<Eigen::Index>(pickup.weights.size()) == dofs);
+    return Eigen::Map<const Eigen::VectorXd>(pickup.weights.data(), dofs);
 }
 
 record::TraceRequest trace_of(const parameters::Case& c, const std::vector<double>& frequencies) {

@@ -9,6 +9,7 @@
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sound/feature_table.hpp"
 #include "stridor/sweep/results_version.hpp"
 #include "stridor/sweep/store/store.hpp"

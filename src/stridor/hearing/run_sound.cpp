@@ -5,9 +5,9 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/check.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/fields/sound_thresholds.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"
 
@@ -144,7 +144,7 @@ std::vector<std::size_t> shown_contacts(const parameters::Case& c, const HeardMo
                                         const classification::KnownContact& known) {
     std::vector<std::size_t> shown(parameters::contact_count(c));
     std::iota(shown.begin(), shown.end(), std::size_t{0});
-    if (!c.own_structure) return shown;
+    if (parameters::has_plate(c)) return shown;
     if (motion.contact) return {*motion.contact};
     const classification::Verdict* loudest = classification::loudest_phase(known);
     return {loudest != nullptr ? loudest->evidence.contact : 0};

@@ -2,8 +2,8 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <fmt/format.h>
 

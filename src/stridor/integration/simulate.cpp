@@ -12,11 +12,10 @@
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/integration/steps/formulations.hpp"
 #include "stridor/integration/steps/massless_structure.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <algorithm>

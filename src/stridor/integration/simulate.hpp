@@ -3,7 +3,7 @@
 #include "stridor/integration/kernels/instruction_set.hpp"
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/motion.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 

@@ -11,6 +11,7 @@
 #include "stridor/parameters/fields/spring_field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
 

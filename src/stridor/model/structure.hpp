@@ -1,9 +1,9 @@
 #pragma once
 
-#include "stridor/model/friction/friction.hpp"
-#include "stridor/model/friction/rest.hpp"
-#include "stridor/model/impact.hpp"
-#include "stridor/model/spring.hpp"
+#include "stridor/model/laws/friction.hpp"
+#include "stridor/model/laws/impact.hpp"
+#include "stridor/model/laws/rest.hpp"
+#include "stridor/model/laws/spring.hpp"
 
 #include <Eigen/Core>
 

@@ -112,7 +112,7 @@ constexpr bool is_regularised(FrictionKind kind) {
     return kind == FrictionKind::tanh || kind == FrictionKind::arctan;
 }
 
-/// Has the law a friction state (model/friction/friction)? Such a contact creeps, and never sticks.
+/// Has the law a friction state (model/laws/friction)? Such a contact creeps, and never sticks.
 constexpr bool has_friction_state(FrictionKind kind) {
     return kind == FrictionKind::lugre || kind == FrictionKind::dieterich || kind == FrictionKind::ruina;
 }

@@ -61,6 +61,14 @@ std::string key_of_joint(const Field& field, std::string_view joint) {
     return key_of_joint({std::string(joint), key_of(field)});
 }
 
+bool has_key_of_joint(const Case& c, const Field& field) {
+    return has_several_joints(c) && is_of_joint(field);
+}
+
+std::string key_at(CaseView at, const Field& field) {
+    return has_key_of_joint(at.c, field) ? key_of_joint(field, joint_name(at.c, at.joint)) : key_of(field);
+}
+
 bool names_a_joint(std::string_view name) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';

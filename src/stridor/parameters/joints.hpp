@@ -38,6 +38,13 @@ std::string key_of_joint(const JointKey& key);
 /// The key of a joint's field, which is one of [joint] or [contact].
 std::string key_of_joint(const Field& field, std::string_view joint);
 
+/// Has each joint of the case a value of its own for a field, and a key of its own: "joint.lip2.mass"?
+bool has_key_of_joint(const Case& c, const Field& field);
+
+/// Returns the key of a field at a joint of a case: "joint.lip2.mass" where each has its own, "joint.mass" or
+/// "drive.velocity" elsewhere.
+std::string key_at(CaseView at, const Field& field);
+
 /// A word that may name a joint: letters, digits, "_" and "-", and no key of `[joint]`.
 bool names_a_joint(std::string_view name);
 

@@ -1,12 +1,9 @@
 #include "stridor/parameters/own_structure.hpp"
 
-#include "stridor/base/check.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/fields/contact_field.hpp"
 #include "stridor/parameters/fields/spring_field.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/rules/engines.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -42,10 +39,6 @@ std::optional<std::size_t> massless_row(const OwnStructure& structure) {
     for (std::size_t row = 0; row < structure.row.size(); ++row)
         if (structure.mass[row * (structure.row.size() + 1)] == 0.0) return row;
     return std::nullopt;
-}
-
-bool is_without_inertia(const Case& c) {
-    return engine_of(c) == Engine::moreau && c.run.formulation == Formulation::massless;
 }
 
 const double* recipe_number(const Case& c, std::string_view key) {
@@ -138,69 +131,6 @@ std::vector<double> places_along_line(const OwnStructure& structure) {
 
 bool has_given_structure(const Case& c) {
     return c.own_structure && !c.own_structure->recipe;
-}
-
-bool is_preloaded(const Case& c) {
-    return !c.own_structure || std::any_of(c.own_structure->contacts.begin(), c.own_structure->contacts.end(),
-                                           [](const OwnContact& contact) { return contact.preload_share > 0.0; });
-}
-
-std::size_t contact_count(const Case& c) {
-    return c.own_structure ? c.own_structure->contacts.size() : c.joints.size();
-}
-
-bool has_named_contacts(const Case& c) {
-    return c.own_structure || has_several_joints(c);
-}
-
-std::string contact_name(const Case& c, std::size_t contact) {
-    STRIDOR_EXPECT(contact < contact_count(c));
-    return c.own_structure ? c.own_structure->contacts[contact].name : joint_name(c, contact);
-}
-
-Contact contact_of(const Case& c, std::size_t contact) {
-    STRIDOR_EXPECT(contact < contact_count(c));
-    if (!c.own_structure) return c.joints[contact].contact;
-    const OwnContact& own = c.own_structure->contacts[contact];
-    double all = 0.0;
-    for (const OwnContact& each : c.own_structure->contacts)
-        all += each.preload_share;
-    Contact laws = c.contact();
-    for (const ContactField& field : contact_fields())
-        if (const auto* number = std::get_if<std::optional<double> OwnContact::*>(&field.member);
-            number != nullptr && field.in_place_of != nullptr && own.**number)
-            laws.*field.in_place_of = *(own.**number);
-    laws.preload = all > 0.0 ? c.contact().preload * (own.preload_share / all) : 0.0;
-    return laws;
-}
-
-std::vector<std::string> names_of_springs(const Case& c) {
-    std::vector<std::string> names;
-    if (c.own_structure) {
-        for (const OwnSpring& spring : c.own_structure->springs)
-            if (kind_of(spring) != SpringKind::linear) names.push_back(spring.name);
-        return names;
-    }
-    for (const PlateJoint& each : c.joints) {
-        const std::string whose = has_several_joints(c) ? each.name + "." : "";
-        const Joint& joint = each.joint;
-        const bool is_cubic = joint.stiffening == Stiffening::cubic;
-        if (joint.stiffening == Stiffening::table || (is_cubic && joint.axial_cubic != 0.0))
-            names.push_back(whose + "axial");
-        if (is_cubic && joint.flexural_cubic != 0.0) names.push_back(whose + "flexural");
-    }
-    return names;
-}
-
-std::span<const OwnOutput> outputs_of(const Case& c) {
-    return c.own_structure ? std::span<const OwnOutput>(c.own_structure->outputs) : std::span<const OwnOutput>();
-}
-
-std::vector<std::vector<double>> output_weights(const Case& c) {
-    std::vector<std::vector<double>> weights;
-    for (const OwnOutput& output : outputs_of(c))
-        weights.push_back(output.weights);
-    return weights;
 }
 
 }  // namespace stridor::parameters

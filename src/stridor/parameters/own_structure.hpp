@@ -97,9 +97,6 @@ struct OwnStructure {
 /// Returns a row without mass; `std::nullopt` if all have one.
 std::optional<std::size_t> massless_row(const OwnStructure& structure);
 
-/// Says whether only the contacts of a case move without inertia.
-bool is_without_inertia(const Case& c);
-
 /// Returns the number for `key` in the recipe of a case's structure; null if no builder made it, or not from this
 /// number.
 const double* recipe_number(const Case& c, std::string_view key);
@@ -123,31 +120,5 @@ std::vector<double> places_along_line(const OwnStructure& structure);
 
 /// Has it a structure that no builder makes? Its matrices cannot be changed by keys.
 bool has_given_structure(const Case& c);
-
-/// Is any case pressed by contact.preload? Else its structure is, by a load or by gaps that are negative.
-bool is_preloaded(const Case& c);
-
-/// Contacts of any case.
-std::size_t contact_count(const Case& c);
-
-/// Is a contact of it told by name? The one of a joint alone on its plate is not.
-bool has_named_contacts(const Case& c);
-
-/// Name of a contact of any case: its joint's, or its own.
-std::string contact_name(const Case& c, std::size_t contact);
-
-/// The laws at a contact of any case: its joint's; at one of the case's own structure [contact], with the coefficients
-/// that the contact has itself, and its share of the preload.
-Contact contact_of(const Case& c, std::size_t contact);
-
-/// Returns the names of the springs of a case that are not linear, in the order of `model::Structure::springs`,
-/// whatever scales them: of a structure those that it gives, of a joint "axial" and "flexural", of several
-/// "lip2.axial".
-std::vector<std::string> names_of_springs(const Case& c);
-
-/// Outputs of any case: those of its own structure, and none of joints.
-std::span<const OwnOutput> outputs_of(const Case& c);
-/// Weights of all of them; shape [output][row].
-std::vector<std::vector<double>> output_weights(const Case& c);
 
 }  // namespace stridor::parameters

@@ -1,12 +1,16 @@
 #include "stridor/parameters/start.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace stridor::parameters {
 
@@ -66,16 +70,92 @@ double velocity_at_start(const Drive& drive) {
     return profile.velocities.empty() ? profile.velocity : profile.velocities.front();
 }
 
+namespace {
+
+// along one after the other, normal one, and the plate last
+CaseStart start_of_joints(const Case& c, double surface_velocity) {
+    CaseStart all;
+    for (const PlateJoint& joint : c.joints) {
+        const JointStart& start = joint.start;
+        const bool sticks = start.contact == ContactStart::stick;
+        all.displacement.insert(all.displacement.end(), {start.tangential, start.normal});
+        all.velocity.insert(all.velocity.end(),
+                            {sticks ? surface_velocity : start.tangential_velocity, start.normal_velocity});
+        all.contacts.push_back(start.contact);
+        all.friction_states.push_back(start.friction_state);
+    }
+    all.displacement.push_back(c.plate.initial_normal);
+    all.velocity.push_back(c.plate.initial_normal_velocity);
+    return all;
+}
+
+std::vector<double> filled(const std::vector<double>& numbers, std::size_t rows) {
+    if (numbers.empty()) return std::vector<double>(rows, 0.0);
+    STRIDOR_EXPECT(numbers.size() == rows);
+    return numbers;
+}
+
+CaseStart start_of_structure(const OwnStructure& own) {
+    CaseStart all;
+    all.displacement = filled(own.initial_displacement, own.row.size());
+    all.velocity = filled(own.initial_velocity, own.row.size());
+    all.contacts.assign(own.contacts.size(), ContactStart::by_motion);
+    for (const OwnContact& contact : own.contacts)
+        all.friction_states.push_back(contact.initial_friction_state);
+    return all;
+}
+
+void set_start_of_joints(Case& c, const CaseStart& all) {
+    c.plate.initial_normal = all.displacement.back();
+    c.plate.initial_normal_velocity = all.velocity.back();
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
+        JointStart& start = c.joints[k].start;
+        start = {all.displacement[2 * k], all.displacement[2 * k + 1], all.velocity[2 * k], all.velocity[2 * k + 1]};
+        if (!all.rested.empty()) c.joints[k].contact.rested = all.rested[k];
+        if (!all.friction_states.empty()) start.friction_state = all.friction_states[k];
+        if (all.contacts[k] == ContactStart::separation) {
+            start.normal = std::max(start.normal, c.plate.initial_normal);
+            continue;
+        }
+        start.normal = c.plate.initial_normal;
+        start.normal_velocity = c.plate.initial_normal_velocity;
+        if (all.contacts[k] == ContactStart::stick) start.contact = ContactStart::stick;
+    }
+}
+
+void set_start_of_structure(OwnStructure& own, const CaseStart& all) {
+    own.initial_displacement = all.displacement;
+    own.initial_velocity = all.velocity;
+    for (std::size_t k = 0; k < all.rested.size(); ++k)
+        own.contacts[k].rested = all.rested[k];
+    for (std::size_t k = 0; k < all.friction_states.size(); ++k)
+        own.contacts[k].initial_friction_state = all.friction_states[k];
+}
+
+}  // namespace
+
+CaseStart start_of(const Case& c, double surface_velocity) {
+    return c.own_structure ? start_of_structure(*c.own_structure) : start_of_joints(c, surface_velocity);
+}
+
+void set_start(Case& c, const CaseStart& start) {
+    STRIDOR_EXPECT(start.displacement.size() == coordinate_count(c) && start.velocity.size() == coordinate_count(c));
+    c.run.initial = Initial::given;
+    if (!c.own_structure) return set_start_of_joints(c, start);
+    OwnStructure own = *c.own_structure;
+    set_start_of_structure(own, start);
+    c.own_structure = std::make_shared<const OwnStructure>(std::move(own));
+}
+
 void check_start(CaseView at, std::vector<Finding>& found) {
-    if (at.c.run.initial != Initial::given || at.c.own_structure) return;
+    if (at.c.run.initial != Initial::given || !has_plate(at.c)) return;
     const JointStart& start = at.own().start;
     const Plate& plate = at.c.plate;
     const double V = velocity_at_start(at.c.drive);
     const bool sticks = start.contact == ContactStart::stick;
     const double slip_size = std::abs(sticks ? V : start.tangential_velocity) + std::abs(V);
-    const std::string name = has_several_joints(at.c) ? joint_name(at.c, at.joint) : "";
     const StartingContact contact{
-        .name = name,
+        .name = told_name(at.c, at.joint),
         .state = start.contact,
         .gap = start.normal - plate.initial_normal,
         .gap_size = std::abs(start.normal) + std::abs(plate.initial_normal) + std::abs(start.tangential),

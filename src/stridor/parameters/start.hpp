@@ -30,6 +30,22 @@ std::optional<base::Problem> unlawful(const StartingContact& contact);
 /// Returns the velocity of the surface when the run begins [m/s].
 double velocity_at_start(const Drive& drive);
 
+/// A start in the coordinates of a case (`coordinate_names`).
+struct CaseStart {
+    std::vector<double> displacement{};     // [m] from the preloaded rest, shape [coordinate]
+    std::vector<double> velocity{};         // [m/s] shape [coordinate]
+    std::vector<ContactStart> contacts{};   // what each does there, shape [contact]
+    std::vector<double> friction_states{};  // [1] of laws that have one, shape [contact]
+    std::vector<double> rested{};           // [s] for which each has stuck, shape [contact]; empty: as the case says
+};
+
+/// Returns the start that a case states, over a surface that moves with V [m/s]. Joints that stick move with it. Where
+/// a structure has no given start it is what is added to its rest, with velocities per V.
+CaseStart start_of(const Case& c, double surface_velocity);
+
+/// Makes a state the given start of a case: contacts that are closed are closed to the last bit.
+void set_start(Case& c, const CaseStart& start);
+
 /// Adds what is wrong with the given start of a joint.
 void check_start(CaseView at, std::vector<Finding>& found);
 

@@ -3,11 +3,11 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/model/friction/friction.hpp"
-#include "stridor/model/friction/rest.hpp"
+#include "stridor/model/laws/friction.hpp"
+#include "stridor/model/laws/rest.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
@@ -234,11 +234,15 @@ drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing:
     return friction_law(one_law(c), visited);
 }
 
-std::optional<drawing::Extent> visited_velocities(const record::Trace& trace) {
+std::optional<drawing::Extent> visited_velocities(const parameters::Case& c, const record::Trace& trace) {
+    const std::vector<double> along = parameters::point_weights(c, 0, parameters::PointAxis::sliding);
+    const double share = parameters::drive_share_at(c, 0);
     std::optional<drawing::Extent> visited;
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
         if (trace.contacts.front().state[k] != model::ContactState::slip) continue;
-        const double velocity = trace.surface_velocity[k] - trace.velocity[0][k];
+        double velocity = share * trace.surface_velocity[k];
+        for (std::size_t coordinate = 0; coordinate < along.size(); ++coordinate)
+            if (along[coordinate] != 0.0) velocity -= along[coordinate] * trace.velocity[coordinate][k];
         if (!visited) visited = {velocity, velocity};
         visited->from = std::min(visited->from, velocity);
         visited->to = std::max(visited->to, velocity);

@@ -32,7 +32,8 @@ drawing::Scene friction_law(const parameters::Contact& contact, std::optional<dr
 /// Draws the one law of all contacts of a case. Throws `Error` (input) if they differ.
 drawing::Scene friction_law_of(const parameters::Case& c, std::optional<drawing::Extent> visited = {});
 
-/// Returns the relative velocities V - x1' [m/s] between which the first joint slipped; nothing if it never did.
-std::optional<drawing::Extent> visited_velocities(const record::Trace& trace);
+/// Returns the slip velocities V - t.u' [m/s] between which the first contact of a case slipped in a trace of its run;
+/// `std::nullopt` if it never did.
+std::optional<drawing::Extent> visited_velocities(const parameters::Case& c, const record::Trace& trace);
 
 }  // namespace stridor::pictures

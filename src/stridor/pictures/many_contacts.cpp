@@ -3,7 +3,7 @@
 #include "stridor/analysis/rates.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 
@@ -41,8 +41,7 @@ void number_contacts(ContactLine& line) {
 
 // takes the places that the case knows; false where it does not know them, or two are one
 bool place_contacts(ContactLine& line, const parameters::Case& c) {
-    if (!c.own_structure) return false;
-    std::vector<double> places = parameters::places_along_line(*c.own_structure);
+    std::vector<double> places = parameters::contact_places(c);
     if (places.empty()) return false;
     line.places = std::move(places);
     std::sort(line.order.begin(), line.order.end(),
@@ -318,12 +317,12 @@ ContactLine contact_line(const parameters::Case& c) {
 }
 
 bool shows_many_contacts(const parameters::Case& c) {
-    return c.own_structure && parameters::contact_count(c) > 1;
+    return !parameters::has_plate(c) && parameters::contact_count(c) > 1;
 }
 
 drawing::Scene many_contacts(const parameters::Case& c, const record::Record& record,
                              const std::optional<drawing::Extent>& stretch) {
-    STRIDOR_EXPECT(c.own_structure && record.histories.size() == parameters::contact_count(c));
+    STRIDOR_EXPECT(!parameters::has_plate(c) && record.histories.size() == parameters::contact_count(c));
     Picture picture(c, record);
     for (const record::Tally& tally : record.phases)
         picture.add_phase(tally);

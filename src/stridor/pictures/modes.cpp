@@ -4,8 +4,8 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 #include "stridor/signal/level.hpp"
 

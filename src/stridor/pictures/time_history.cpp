@@ -2,8 +2,8 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 #include "stridor/record/schedule.hpp"
@@ -80,7 +80,7 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSig
 
 // the rows of an own structure are too many: what its contacts carry is drawn in their place
 std::vector<ShownSignal> shown_of(const parameters::Case& c, std::vector<ShownSignal> signals) {
-    if (!c.own_structure) return signals;
+    if (parameters::has_plate(c)) return signals;
     const auto is_of_rows = [](ShownSignal signal) {
         return signal == ShownSignal::displacement || signal == ShownSignal::velocity ||
                signal == ShownSignal::acceleration || signal == ShownSignal::contact_forces;

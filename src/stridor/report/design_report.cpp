@@ -6,8 +6,8 @@
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/stability.hpp"
@@ -151,7 +151,7 @@ void put_ear_beside(Section& section, const DesignResults& results) {
 
 Section sound_section(const DesignResults& results) {
     Section section{"What it sounds like"};
-    const bool is_of_contact = results.design.own_structure && !results.heard.empty() &&
+    const bool is_of_contact = !parameters::has_plate(results.design) && !results.heard.empty() &&
                                std::isdigit(static_cast<unsigned char>(results.heard.front())) != 0;
     section.paragraphs.push_back("The motion made audible: " + std::string(is_of_contact ? "contact " : "") +
                                  results.heard +

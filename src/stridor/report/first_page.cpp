@@ -6,6 +6,7 @@
 #include "stridor/drawing/picture.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/chart_cells.hpp"
@@ -245,19 +246,20 @@ std::string kind_of_structure(const parameters::Case& c) {
 std::string foot(const parameters::Case& c) {
     const bool has_several = parameters::contact_count(c) > 1;
     const std::string leaning = parameters::names_of_springs(c).empty() ? "" : " on springs that stiffen";
-    const std::string model =
-        c.own_structure ? kind_of_structure(c) + " with " + (has_several ? "points" : "one point") + " of contact"
-        : has_several   ? "joints" + leaning + " on one plate, one point of contact each"
-                        : "one joint" + leaning + ", one plate, one point of contact";
-    return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
-           model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
+    const std::string model = !parameters::has_plate(c) ? kind_of_structure(c) + " with " +
+                                                              (has_several ? "points" : "one point") + " of contact"
+                              : has_several ? "joints" + leaning + " on one plate, one point of contact each"
+                                            : "one joint" + leaning + ", one plate, one point of contact";
+    return "A category names a pattern of vibration of a " + std::string(parameters::has_plate(c) ? "small " : "") +
+           "model (" + model +
+           "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
            (parameters::has_named_contacts(c) ? "" : "several contacts ") +
            "and the radiation of sound, is not in this verdict either.";
 }
 
 std::string sketch_caption(const parameters::Case& c) {
-    if (c.own_structure)
-        return "The model: " + c.own_structure->origin + ", " + kind_of_structure(c) +
+    if (!parameters::has_plate(c))
+        return "The model: " + parameters::origin_of(c) + ", " + kind_of_structure(c) +
                " with its contacts, on a surface that moves under it.";
     return "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
 }
@@ -276,7 +278,7 @@ Report first_page(const DesignResults& results) {
         page.lead.push_back(plain_words(verdict));
     // several joints are wider than this place
     if (!parameters::has_several_joints(c)) {
-        page.sketch = c.own_structure ? structure_sketch_svg(c) : sketch_svg(c);
+        page.sketch = parameters::has_plate(c) ? sketch_svg(c) : structure_sketch_svg(c);
         page.sketch_caption = sketch_caption(c);
     }
     if (results.chart)

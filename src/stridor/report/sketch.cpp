@@ -1,7 +1,6 @@
 #include "stridor/report/sketch.hpp"
 
 #include "stridor/base/escapes.hpp"
-#include "stridor/parameters/joints.hpp"
 
 #include <fmt/format.h>
 

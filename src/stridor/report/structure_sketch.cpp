@@ -2,7 +2,7 @@
 
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,7 @@ std::string contacts_drawing(const parameters::Case& c) {
 }  // namespace
 
 std::string structure_sketch_svg(const parameters::Case& c) {
-    const parameters::OwnStructure& own = *c.own_structure;
+    const std::size_t contacts = parameters::contact_count(c);
     const double middle = 0.5 * (body_left + body_right);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" fill=\"none\" stroke=\"currentColor\" "
@@ -88,11 +88,11 @@ std::string structure_sketch_svg(const parameters::Case& c) {
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"8\" "
         "style=\"fill:var(--paper,#fff)\"/>",
         body_left, body_top, body_right - body_left, body_bottom - body_top);
-    text +=
-        text_at(middle, 0.5 * (body_top + body_bottom) - 4.0, base::markup_text(shortened(own.origin, longest_origin)));
+    text += text_at(middle, 0.5 * (body_top + body_bottom) - 4.0,
+                    base::markup_text(shortened(parameters::origin_of(c), longest_origin)));
     text += text_at(
         middle, 0.5 * (body_top + body_bottom) + 14.0,
-        fmt::format("{} rows, {} contact{}", own.row.size(), own.contacts.size(), own.contacts.size() == 1 ? "" : "s"));
+        fmt::format("{} rows, {} contact{}", parameters::coordinate_count(c), contacts, contacts == 1 ? "" : "s"));
     if (parameters::is_preloaded(c))
         text += fmt::format("<path d=\"M {0:.1f} 18 v 34 m -5 -9 l 5 9 l 5 -9\"/>", middle) +
                 text_at(middle + 46.0, 34.0, fmt::format("F = {:.4g} N", c.contact().preload));

@@ -105,9 +105,7 @@ std::vector<double> Auralisation::add(const record::Trace& trace) {
         return heard(
             limiter_->push({weighted(trace.displacement, pickup.weights), weighted(trace.velocity, pickup.weights),
                             weighted(trace.acceleration, pickup.weights)}));
-    const std::size_t dof = std::min(pickup.dof, trace.displacement.size() - 1);
-    STRIDOR_EXPECT(pickup.dof == last_dof || pickup.dof == dof);
-    return heard(limiter_->push({trace.displacement[dof], trace.velocity[dof], trace.acceleration[dof]}));
+    return heard(limiter_->push({trace.displacement.front(), trace.velocity.front(), trace.acceleration.front()}));
 }
 
 std::vector<double> Auralisation::finish() {

@@ -14,14 +14,10 @@
 
 namespace stridor::sound {
 
-/// The last degree of freedom of any structure; in the rubbing system the plate's.
-inline constexpr std::size_t last_dof = static_cast<std::size_t>(-1);
-
 /// Where and how a motion is listened to: at a degree of freedom, or at a point whose motion is a sum of several.
 struct Pickup {
-    std::size_t dof = 0;  // [1] degree of freedom: x and y of each joint in turn, then the plate's; or `last_dof`
     signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
-    // [1] shape [dof]: the weight of each degree of freedom in the sum that is heard; empty: that of `dof` alone
+    // [1] shape [dof]: the weight of each degree of freedom in the sum that is heard; empty: the first one alone
     std::vector<double> weights{};
 };
 

@@ -8,10 +8,10 @@
 #include "stridor/integration/run/imposed_motion.hpp"
 #include "stridor/integration/run/initial_state.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/rubbing_system.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -48,11 +48,9 @@ record::Tally tally_of(const Case& c, const Motion& motion, Direction direction)
         if (tally.phase == wanted || tally.phase == Phase::all) return tally;
     record::Tally nothing;
     nothing.phase = wanted;
-    const std::size_t contacts = parameters::contact_count(c);
-    const std::size_t channels = c.own_structure ? 2 * contacts : static_cast<std::size_t>(model::dofs_of_system(c));
-    nothing.contacts.resize(contacts);
-    nothing.vibration.resize(channels);
-    nothing.closing_vibration.resize(channels);
+    nothing.contacts.resize(parameters::contact_count(c));
+    nothing.vibration.resize(parameters::channel_count(c));
+    nothing.closing_vibration.resize(parameters::channel_count(c));
     return nothing;
 }
 
@@ -82,7 +80,8 @@ std::optional<Attempt> attempt(const Case& c, const record::Request& request, st
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::numerical) return Attempt{Status::failed, error.what(), {}};
         // a load may close no contact of a structure whose stiffness is scaled
-        if (error.kind() == ErrorKind::input && c.own_structure) return Attempt{Status::invalid, error.what(), {}};
+        if (error.kind() == ErrorKind::input && !parameters::has_plate(c))
+            return Attempt{Status::invalid, error.what(), {}};
         throw;
     }
 }

@@ -5,7 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/starts.hpp"
 

@@ -12,6 +12,7 @@
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/trace.hpp"
 
 #include <algorithm>
@@ -41,8 +42,7 @@ record::Request over_window(const Case& c, double interval) {
 
 // t.u of a sample
 double position(const Case& c, const record::Trace& trace, std::size_t sample) {
-    STRIDOR_EXPECT(c.own_structure != nullptr);
-    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
+    const std::vector<double> tangent = parameters::point_weights(c, 0, parameters::PointAxis::sliding);
     double sum = 0.0;
     for (std::size_t row = 0; row < tangent.size(); ++row)
         sum += tangent[row] * trace.displacement[row][sample];
@@ -52,7 +52,7 @@ double position(const Case& c, const record::Trace& trace, std::size_t sample) {
 // position of the surface at the first contact, of a constant drive or one with a frequency
 double surface_position(const Case& c, double time) {
     const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive);
-    const double share = c.own_structure->contacts.front().drive_share;
+    const double share = parameters::drive_share_at(c, 0);
     if (c.drive.kind == parameters::DriveKind::constant) return share * profile.velocity * time;
     return share * profile.amplitude * base::sine_cosine_of_turns(profile.frequency * time).sine;
 }
@@ -167,10 +167,10 @@ double slip_at(const Case& c, std::string_view about) {
 
 double slip_velocity_at(const Case& c, std::string_view about) {
     const record::Trace trace = sample_at(c, number_in(about));
-    const parameters::OwnContact& contact = c.own_structure->contacts.front();
-    double sum = -contact.drive_share * trace.surface_velocity.at(0);
-    for (std::size_t row = 0; row < contact.tangent.size(); ++row)
-        sum += contact.tangent[row] * trace.velocity[row].at(0);
+    const std::vector<double> tangent = parameters::point_weights(c, 0, parameters::PointAxis::sliding);
+    double sum = -parameters::drive_share_at(c, 0) * trace.surface_velocity.at(0);
+    for (std::size_t row = 0; row < tangent.size(); ++row)
+        sum += tangent[row] * trace.velocity[row].at(0);
     return sum;
 }
 
@@ -184,7 +184,7 @@ double greatest_friction(const Case& c, std::string_view) {
 
 double greatest_slip_velocity(const Case& c, std::string_view) {
     const record::Trace trace = motion_of(c, over_window(c, c.run.window / fine_samples)).record.trace;
-    const std::vector<double>& tangent = c.own_structure->contacts.front().tangent;
+    const std::vector<double> tangent = parameters::point_weights(c, 0, parameters::PointAxis::sliding);
     double most = 0.0;
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
         double sum = -trace.surface_velocity[k];
@@ -219,7 +219,7 @@ double output_rms(const Case& c, std::string_view) {
     record::Trace trace = motion_of(c, over_window(c, c.run.step)).record.trace;
     record::add_points(trace, parameters::output_weights(c));
     double sum = 0.0;
-    for (const double velocity : trace.velocity.at(c.own_structure->row.size()))
+    for (const double velocity : trace.velocity.at(parameters::coordinate_count(c)))
         sum += velocity * velocity;
     return std::sqrt(sum / static_cast<double>(trace.time.size()));
 }

@@ -4,8 +4,8 @@
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/verification/check.hpp"
 
 #include <fmt/format.h>

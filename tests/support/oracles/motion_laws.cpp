@@ -4,7 +4,7 @@
 
 #include "support/oracles/motion_laws.hpp"
 
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <algorithm>
 #include <array>

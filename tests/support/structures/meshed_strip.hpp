@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/run/initial_state.hpp"
-#include "stridor/model/modal_damping.hpp"
+#include "stridor/model/linear/modal_damping.hpp"
 #include "stridor/model/structure.hpp"
 
 #include <Eigen/Cholesky>

@@ -3,7 +3,7 @@
 
 #include "friction_fit_support.hpp"
 #include "stridor/analysis/friction/fit.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "friction_fit_support.hpp"
 #include "stridor/analysis/friction/slip_fit.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 #include "support/counter_random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/model/built/joints_on_plate.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/joints_on_plate.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/verification/table_1.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"

@@ -1,6 +1,6 @@
 #include "stridor/analysis/stability_scan.hpp"
 
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"

@@ -1,7 +1,6 @@
 #include "stridor/console/results/simulation_text.hpp"
 
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/parameters/joints.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/signal/level.hpp"
 #include "support/effort.hpp"
 #include "support/error_text.hpp"
@@ -73,12 +74,12 @@ double energy_of(const Case& c, const std::string& of) {
 TEST(HeardMotion, IsThatOfTheStrongestOfSeveralJoints) {
     const HeardMotion first = heard_motion(lips(parameters::Direction::coming), {});
     EXPECT_EQ(first.of, "upper");
-    EXPECT_EQ(first.pickup.dof, 0U);
+    EXPECT_EQ(first.pickup.weights, parameters::weight_of_one(lips(parameters::Direction::coming), 0));
     const Case c = lips(parameters::Direction::going);
     const HeardMotion second = heard_motion(c, {});
     EXPECT_EQ(second.of, "lower");
     EXPECT_EQ(second.contact, std::optional<std::size_t>(1));
-    EXPECT_EQ(second.pickup.dof, 2U);
+    EXPECT_EQ(second.pickup.weights, parameters::weight_of_one(c, 2));
     EXPECT_EQ(motion_words(second), "lower velocity along x");
     // what is heard of it, too, is the stronger one
     EXPECT_GT(energy_of(c, "lower"), energy_of(c, "upper"));
@@ -99,7 +100,7 @@ TEST(HeardMotion, IsThatOfAContactOfAnOwnStructure) {
     EXPECT_EQ(heard.of, "fast");
     EXPECT_EQ(heard.pickup.weights, c.own_structure->contacts[1].tangent);
     EXPECT_EQ(heard_motion(c, {"fast", "y"}).pickup.weights, c.own_structure->contacts[1].normal);
-    EXPECT_EQ(heard_motion(c, {"x2"}).pickup.dof, 2U);
+    EXPECT_EQ(heard_motion(c, {"x2"}).pickup.weights, parameters::weight_of_one(c, 2));
     EXPECT_EQ(motion_words(heard_motion(c, {"x2"})), "x2 velocity");
     EXPECT_EQ(motion_words(c, {}), "velocity along x of the strongest contact");
     EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"plate"}); }).says("is no contact, output or row"));

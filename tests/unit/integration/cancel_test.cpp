@@ -1,7 +1,7 @@
 // A run ends soon after it is told to, wherever its time goes; and by itself where numbers are none.
 
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/patience.hpp"

@@ -1,7 +1,7 @@
 #include "stridor/integration/exact/contact_coordinates.hpp"
 
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "stridor/integration/rules/contact_impulses.hpp"
 
 #include "stridor/integration/rules/contact_mode_of.hpp"
-#include "stridor/model/joints_on_plate.hpp"
+#include "stridor/model/built/joints_on_plate.hpp"
 #include "support/counter_random.hpp"
 
 #include <gtest/gtest.h>

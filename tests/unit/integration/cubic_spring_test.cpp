@@ -2,8 +2,8 @@
 
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/model/linearised.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
+#include "stridor/model/linear/linearised.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "support/expected_error.hpp"
 #include "support/many_contacts.hpp"

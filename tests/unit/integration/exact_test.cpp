@@ -3,7 +3,7 @@
 #include "stridor/integration/run/imposed_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/random_cases.hpp"

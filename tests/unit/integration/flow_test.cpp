@@ -1,7 +1,7 @@
 #include "stridor/integration/exact/flow.hpp"
 
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/property.hpp"
 

@@ -1,7 +1,7 @@
 #include "stridor/integration/run/initial_state.hpp"
 
-#include "stridor/model/contact_forces.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
+#include "stridor/model/contact/contact_forces.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>

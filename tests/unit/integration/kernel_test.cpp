@@ -1,6 +1,6 @@
 #include "stridor/integration/exact/flow.hpp"
 #include "stridor/integration/kernels/exact_kernel.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/property.hpp"
 

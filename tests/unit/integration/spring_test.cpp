@@ -1,13 +1,13 @@
 // Springs whose force is a power of their deflection on one side, or a table, by Taylor series.
 
-#include "stridor/model/spring.hpp"
+#include "stridor/model/laws/spring.hpp"
 
 #include "stridor/integration/proofs/sliding_growth.hpp"
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/series/taylor.hpp"
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/model/static_contact.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
+#include "stridor/model/contact/static_contact.hpp"
 #include "support/many_contacts.hpp"
 
 #include <boost/math/special_functions/beta.hpp>

@@ -12,6 +12,7 @@
 #include "stridor/io/sound/signal_report.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
@@ -66,18 +67,19 @@ TEST(AskedTexts, AreRangesAndTolerances) {
 
 TEST(ListeningTexts, NameOneOfSeveralJoints) {
     const TomlSource source{ready_file("two-lips"), "two-lips.toml", {}};
-    const auto dof_of = [&](const std::string& of, const std::string& component) {
+    const auto weights_of = [&](const std::string& of, const std::string& component) {
         ListeningTexts texts;
         texts.of = of;
         texts.component = component;
         const ListeningChoice choice = chosen_case(texts, source);
-        return hearing::heard_motion(choice.c, asked_motion(texts)).pickup.dof;
+        return hearing::heard_motion(choice.c, asked_motion(texts)).pickup.weights;
     };
-    EXPECT_EQ(dof_of("upper", "y"), 1U);
-    EXPECT_EQ(dof_of("lower", ""), 2U);
-    EXPECT_EQ(dof_of("lower", "y"), 3U);
-    EXPECT_EQ(dof_of("plate", ""), sound::last_dof);
-    EXPECT_TRUE(thrown_by([&] { dof_of("lowr", ""); }).says("joint (the strongest), plate, upper, lower"));
+    const auto one = [&](std::size_t at) { return parameters::weight_of_one(read_case(source), at); };
+    EXPECT_EQ(weights_of("upper", "y"), one(1));
+    EXPECT_EQ(weights_of("lower", ""), one(2));
+    EXPECT_EQ(weights_of("lower", "y"), one(3));
+    EXPECT_EQ(weights_of("plate", ""), one(4));
+    EXPECT_TRUE(thrown_by([&] { weights_of("lowr", ""); }).says("joint (the strongest), plate, upper, lower"));
 }
 
 TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
@@ -95,8 +97,7 @@ TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
     EXPECT_EQ(heard("joint", "").weights, contacts[0].tangent);
     EXPECT_EQ(heard("block2", "").weights, contacts[1].tangent);
     EXPECT_EQ(heard("block2", "y").weights, contacts[1].normal);
-    EXPECT_TRUE(heard(c.own_structure->row[3], "").weights.empty());
-    EXPECT_EQ(heard(c.own_structure->row[3], "").dof, 3U);
+    EXPECT_EQ(heard(c.own_structure->row[3], "").weights, parameters::weight_of_one(c, 3));
     EXPECT_TRUE(thrown_by([&] { heard("block3", ""); }).says("Listen to a contact: block1, block2"));
     EXPECT_TRUE(thrown_by([&] { heard("plate", ""); }).says("is no contact, output or row"));
     EXPECT_TRUE(thrown_by([&] { heard(c.own_structure->row[3], "x"); }).says("it has one direction"));

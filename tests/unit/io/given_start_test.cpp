@@ -6,7 +6,6 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <gtest/gtest.h>

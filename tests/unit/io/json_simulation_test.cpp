@@ -5,7 +5,6 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/parameters/fields/field.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/sweep/boundaries.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/study.hpp"
 #include "structure_texts.hpp"
 

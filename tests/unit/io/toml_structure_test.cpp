@@ -7,6 +7,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/rules/check.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/study.hpp"
 #include "structure_texts.hpp"

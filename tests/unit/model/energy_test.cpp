@@ -1,7 +1,7 @@
 #include "stridor/model/energy.hpp"
 
 #include "stridor/model/built/mass_on_belt.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
 
 #include <gtest/gtest.h>
 

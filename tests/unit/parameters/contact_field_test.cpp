@@ -1,5 +1,7 @@
 #include "stridor/parameters/fields/contact_field.hpp"
 
+#include "stridor/parameters/system.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>

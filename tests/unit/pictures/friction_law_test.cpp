@@ -91,12 +91,12 @@ TEST(FrictionLaw, IsACurveWhereItChangesWithTheSlipVelocity) {
 TEST(FrictionLaw, ShadesTheVelocitiesOfAMotion) {
     record::Trace trace;
     trace.time = {0.0, 1.0, 2.0, 3.0};
-    trace.velocity = {{0.1, 0.0, -2.0, 5.0}};
+    trace.velocity = {{0.1, 0.0, -2.0, 5.0}, {9.0, 9.0, 9.0, 9.0}, {}};
     trace.surface_velocity = {0.1, 0.1, 0.1, 0.1};
     trace.contacts.resize(1);
     trace.contacts[0].state = {model::ContactState::stick, model::ContactState::slip, model::ContactState::slip,
                                model::ContactState::separation};
-    const std::optional<drawing::Extent> visited = visited_velocities(trace);
+    const std::optional<drawing::Extent> visited = visited_velocities({}, trace);
     ASSERT_TRUE(visited);
     EXPECT_EQ(*visited, (drawing::Extent{0.1, 2.1}));
     const drawing::Scene scene = friction_law({}, visited);
@@ -105,7 +105,7 @@ TEST(FrictionLaw, ShadesTheVelocitiesOfAMotion) {
     EXPECT_EQ(boxes[0].boxes[0].x, *visited);
     EXPECT_GT(scene.panels.at(0).x.range.to, 2.1);
     trace.contacts[0].state.assign(4, model::ContactState::stick);
-    EXPECT_FALSE(visited_velocities(trace));
+    EXPECT_FALSE(visited_velocities({}, trace));
 }
 
 TEST(FrictionLaw, OfJointsThatDifferIsRefused) {

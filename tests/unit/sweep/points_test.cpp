@@ -1,6 +1,5 @@
 #include "stridor/sweep/points.hpp"
 
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/ready_charts.hpp"

@@ -4,8 +4,8 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/hearing/hearing.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/built/rubbing_system.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"

@@ -5,7 +5,7 @@
 #include "stridor/analysis/friction/slip_fit.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "stridor/analysis/friction/regression.hpp"
 #include "stridor/analysis/friction/slip_regression.hpp"
 #include "stridor/analysis/friction/stretches.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <algorithm>
 #include <cmath>

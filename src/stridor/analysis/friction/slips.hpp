@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/analysis/friction/falls.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <cstddef>
 #include <limits>

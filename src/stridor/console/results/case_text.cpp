@@ -5,17 +5,17 @@
 #include "stridor/base/text.hpp"
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/model/case_structure.hpp"
-#include "stridor/model/contact_compliance.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/model/friction/friction.hpp"
-#include "stridor/model/spring.hpp"
+#include "stridor/model/built/case_structure.hpp"
+#include "stridor/model/contact/contact_compliance.hpp"
+#include "stridor/model/laws/friction.hpp"
+#include "stridor/model/laws/spring.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_spring.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
@@ -71,8 +71,8 @@ std::string fields_text(const parameters::Case& c) {
     std::string text, title;
     for (const auto& [field, at, key] : parameters::fields_of(c)) {
         if (!field.belongs(at) || field.section.empty()) continue;
-        const bool is_of_one = parameters::has_several_joints(c) && parameters::is_of_joint(field);
-        const std::string whose = is_of_one && field.section == "joint" ? parameters::joint_name(c, at.joint) : "";
+        const bool is_of_one = parameters::has_key_of_joint(c, field) && field.section == "joint";
+        const std::string whose = is_of_one ? parameters::joint_name(c, at.joint) : "";
         const std::string opening = (whose.empty() ? "" : styled(whose, Style::bold, STDOUT_FILENO) + "\n") + "[" +
                                     std::string(field.section) + "]\n";
         if (opening != title) text += (text.empty() ? "" : "\n") + opening;
@@ -91,30 +91,30 @@ std::string frequencies_text(const parameters::Case& c, const model::Structure& 
     const auto row = [&](const char* name, ContactState state) {
         std::string text = fmt::format("{:<22}", name);
         const std::vector<double> all = model::natural_frequencies(structure, state);
-        const std::size_t shown = c.own_structure ? std::min(all.size(), most_shown) : all.size();
+        const std::size_t shown = parameters::has_plate(c) ? all.size() : std::min(all.size(), most_shown);
         for (std::size_t k = 0; k < shown; ++k)
             text += fmt::format("{:10.2f} Hz", all[k] / base::two_pi);
         return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / base::two_pi) : "") + "\n";
     };
     return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
-           row(c.own_structure ? "open" : "open (plate, joint)", ContactState::separation);
+           row(parameters::has_plate(c) ? "open (plate, joint)" : "open", ContactState::separation);
 }
 
 std::string contacts_text(const parameters::Case& c, const model::Structure& structure) {
-    const parameters::OwnStructure& own = *c.own_structure;
     TextTable table{{left("contact", 16), right("preload", 12), right("gap", 10), right("mu_d", 8), right("mu_s", 8),
                      right("drive", 8)}};
-    for (std::size_t k = 0; k < own.contacts.size(); ++k) {
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
         const parameters::Contact laws = parameters::contact_of(c, k);
         const model::ContactPoint& contact = structure.contacts[k];
         // f0 = - sum of n N0 at rest: what presses this one is known where its preload is
         const std::string pressed =
             parameters::is_preloaded(c) ? fmt::format("{:.4g} N", laws.preload) : std::string("-");
-        add_row(table, base::visible(own.contacts[k].name), pressed, fmt::format("{:.3g} m", contact.initial_gap),
-                fmt::format("{:g}", laws.kinetic_friction), fmt::format("{:g}", laws.static_friction),
-                fmt::format("{:g}", contact.drive_share));
+        add_row(table, base::visible(parameters::contact_name(c, k)), pressed,
+                fmt::format("{:.3g} m", contact.initial_gap), fmt::format("{:g}", laws.kinetic_friction),
+                fmt::format("{:g}", laws.static_friction), fmt::format("{:g}", contact.drive_share));
     }
-    return fmt::format("\n{}: {} rows\n", base::visible(own.origin), own.row.size()) + text_of(table) + "\n";
+    return fmt::format("\n{}: {} rows\n", base::visible(parameters::origin_of(c)), parameters::coordinate_count(c)) +
+           text_of(table) + "\n";
 }
 
 // springs that are not linear, as they are at rest
@@ -232,7 +232,7 @@ double shown_error(double error) {
 std::string case_text(const parameters::Case& c, const integration::Cost& cost) {
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
-           (c.own_structure ? contacts_text(c, structure) : "\n") + springs_text(c, structure) +
+           (parameters::has_plate(c) ? "\n" : contacts_text(c, structure)) + springs_text(c, structure) +
            "undamped natural frequencies\n" + frequencies_text(c, structure) + belief_text(c, structure) +
            friction_doubts(structure) + cost_text(c, structure, cost);
 }

@@ -6,9 +6,8 @@
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/fields/field.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -147,9 +146,8 @@ std::string coefficients_text(const parameters::Contact& contact) {
 
 // what an own structure is pressed and rubs with
 std::string structure_text(const parameters::Case& c) {
-    const parameters::OwnStructure& own = *c.own_structure;
-    std::string text = fmt::format(", {}: {} rows, {}\n", own.origin, own.row.size(),
-                                   counted(own.contacts.size(), "contact", "contacts"));
+    std::string text = fmt::format(", {}: {} rows, {}\n", parameters::origin_of(c), parameters::coordinate_count(c),
+                                   counted(parameters::contact_count(c), "contact", "contacts"));
     text += parameters::is_preloaded(c) ? fmt::format("preload {:g} N, ", c.contact().preload)
                                         : std::string("without a preload, ");
     return text + coefficients_text(c.contact()) + "\n";
@@ -157,15 +155,15 @@ std::string structure_text(const parameters::Case& c) {
 
 // what the joints rub with
 std::string joints_text(const parameters::Case& c) {
-    if (c.own_structure) return structure_text(c);
+    if (!parameters::has_plate(c)) return structure_text(c);
     std::string text;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const parameters::Contact& contact = c.joints[k].contact;
-        text += parameters::has_several_joints(c) ? "  " + c.joints[k].name + ": " : "";
+        text += parameters::has_one_joint(c) ? "" : "  " + c.joints[k].name + ": ";
         text += fmt::format("preload {:g} N, {}, incidence angle {:g} deg\n", contact.preload,
                             coefficients_text(contact), c.joints[k].joint.incidence_angle);
     }
-    return !parameters::has_several_joints(c) ? ", " + text : fmt::format(", {} joints\n", c.joints.size()) + text;
+    return parameters::has_one_joint(c) ? ", " + text : fmt::format(", {} joints\n", c.joints.size()) + text;
 }
 
 // names of an own structure's contacts are a file's

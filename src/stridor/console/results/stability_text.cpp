@@ -6,7 +6,7 @@
 #include "stridor/console/results/text_table.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

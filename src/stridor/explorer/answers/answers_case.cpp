@@ -11,6 +11,7 @@
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/usual_range.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
@@ -102,11 +103,10 @@ int most_stability_points(const parameters::Case& c) {
     constexpr int most = 2000;
     constexpr int least = 5;         // fewer are no curve
     constexpr double cubes = 2.5e7;  // [1] of rows, in that time
-    if (!c.own_structure) return most;
-    const auto rows = static_cast<double>(c.own_structure->row.size());
+    const auto rows = static_cast<double>(parameters::coordinate_count(c));
     const double points = cubes / (rows * rows * rows);
     if (points < least)
-        throw Error(ErrorKind::input, {"the stability of " + std::to_string(c.own_structure->row.size()) +
+        throw Error(ErrorKind::input, {"the stability of " + std::to_string(parameters::coordinate_count(c)) +
                                            " rows is not computed while you wait",
                                        "it takes the cube of them", "Run it on the command line: stridor stability."});
     return static_cast<int>(std::min(points, static_cast<double>(most)));

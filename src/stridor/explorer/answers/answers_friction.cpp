@@ -1,5 +1,5 @@
 #include "stridor/explorer/answers/answers.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/pictures/friction_law.hpp"
@@ -133,11 +133,11 @@ Json grip_object(const Grip& grip) {
 // between which speeds the first joint slips in the window; null where it never does, or where nobody asks
 Json visited_object(const parameters::Case& c, const Json& body, const std::stop_token& stop) {
     const bool is_asked = body.contains("visited") && body.at("visited") == true;
-    if (!is_asked || c.own_structure) return nullptr;
+    if (!is_asked) return nullptr;
     record::Request request;
     request.trace = {c.run.duration - c.run.window, c.run.duration, c.run.window / law_samples};
     const std::optional<drawing::Extent> visited =
-        pictures::visited_velocities(run_case(c, request, stop).record.trace);
+        pictures::visited_velocities(c, run_case(c, request, stop).record.trace);
     if (!visited) return nullptr;
     const bool has_turned = visited->from <= 0.0 && visited->to >= 0.0;
     return {{"from", has_turned ? 0.0 : std::min(std::abs(visited->from), std::abs(visited->to))},

@@ -6,6 +6,7 @@
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/sound/analysis.hpp"
@@ -49,9 +50,9 @@ void pad(std::string& bytes) {
 }
 
 // points of the line as which the structure is drawn, at rest
-Json outline_array(const parameters::OwnStructure& own) {
+Json outline_array(std::span<const parameters::OutlinePoint> points) {
     Json outline = Json::array();
-    for (const parameters::OutlinePoint& point : own.outline)
+    for (const parameters::OutlinePoint& point : points)
         outline.push_back(point.position);
     return outline;
 }
@@ -69,7 +70,8 @@ std::string motion_header(const parameters::Case& c, const record::TraceRequest&
     header["contacts"] = Json::array();
     for (std::size_t k = 0; k < histories.size(); ++k)
         header["contacts"].push_back({{"name", parameters::contact_name(c, k)}, {"intervals", histories[k].size()}});
-    if (c.own_structure && !c.own_structure->outline.empty()) header["outline"] = outline_array(*c.own_structure);
+    const std::span<const parameters::OutlinePoint> outline = parameters::outline_of(c);
+    if (!outline.empty()) header["outline"] = outline_array(outline);
     header["states"] = model::contact_state_names;
     std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
     text.resize((text.size() + 4 + 7) / 8 * 8 - 4, ' ');  // the arrays after it begin at a multiple of 8
@@ -303,7 +305,7 @@ Response sound(const World& world, const Json& body, const std::stop_token& stop
 
 Response modal_lines(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
-    const std::size_t rows = c.own_structure ? c.own_structure->row.size() : 0;
+    const std::size_t rows = parameters::coordinate_count(c);
     if (rows > most_modal_rows)
         throw Error(ErrorKind::input, {"the modes of " + std::to_string(rows) + " rows are not found while you wait",
                                        "", "Run it on the command line: stridor figure modal-spectrum."});

@@ -5,6 +5,7 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
 #include <optional>
@@ -80,10 +81,10 @@ Response share(const World& world, const Json& body, const std::stop_token&) {
     if (parameters::is_of_file(c.drive))
         throw Error(ErrorKind::input, {"a sampled drive does not travel in a link",
                                        "its samples are in a file of this machine", "Send the case with that file."});
-    if (c.own_structure)
+    if (!parameters::has_plate(c))
         throw Error(ErrorKind::input, {"a structure of its own does not travel in a link",
                                        "a link holds changes to a built-in case", "Send the case as a file."});
-    if (parameters::has_several_joints(c))
+    if (!parameters::has_one_joint(c))
         throw Error(ErrorKind::input, {"several joints do not travel in a link",
                                        "a link holds changes to a built-in case", "Send the case as a file."});
     if (parameters::has_temperature_table(c))

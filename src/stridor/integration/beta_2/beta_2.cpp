@@ -22,8 +22,8 @@
 #include "stridor/integration/run/end_state.hpp"
 #include "stridor/integration/run/energy_held.hpp"
 #include "stridor/integration/run/step_loop.hpp"
-#include "stridor/model/contact_forces.hpp"
-#include "stridor/model/frequencies.hpp"
+#include "stridor/model/contact/contact_forces.hpp"
+#include "stridor/model/linear/frequencies.hpp"
 #include "stridor/model/sized_structure.hpp"
 
 #include <Eigen/LU>

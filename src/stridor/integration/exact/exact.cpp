@@ -16,7 +16,7 @@
 #include "stridor/integration/exact/run.hpp"
 #include "stridor/integration/proofs/sticking.hpp"
 #include "stridor/integration/rules/expect_solvable.hpp"
-#include "stridor/model/contact_forces.hpp"
+#include "stridor/model/contact/contact_forces.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "stridor/integration/exact/contact_coordinates.hpp"
 #include "stridor/integration/kernels/exact_kernel.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/spring.hpp"
+#include "stridor/model/laws/spring.hpp"
 #include "stridor/model/structure.hpp"
 
 #include <Eigen/Core>

@@ -12,7 +12,7 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/integration/proofs/sticking.hpp"
 #include "stridor/integration/rules/contact_mode_of.hpp"
-#include "stridor/model/complement.hpp"
+#include "stridor/model/linear/complement.hpp"
 
 #include <unsupported/Eigen/MatrixFunctions>
 

@@ -2,9 +2,9 @@
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/model/linearised.hpp"
-#include "stridor/model/sliding_motion.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
+#include "stridor/model/linear/linearised.hpp"
+#include "stridor/model/linear/sliding_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/integration/proofs/lyapunov.hpp"
-#include "stridor/model/complement.hpp"
+#include "stridor/model/linear/complement.hpp"
 
 #include <algorithm>
 #include <array>

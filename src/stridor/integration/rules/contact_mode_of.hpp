@@ -2,7 +2,7 @@
 
 #include "stridor/integration/rules/contact_mode.hpp"
 #include "stridor/model/contact_state.hpp"
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 namespace stridor::integration {
 

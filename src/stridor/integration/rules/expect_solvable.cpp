@@ -1,7 +1,7 @@
 #include "stridor/integration/rules/expect_solvable.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/model/friction/friction_jet.hpp"
+#include "stridor/model/laws/friction_jet.hpp"
 
 #include <algorithm>
 #include <string>

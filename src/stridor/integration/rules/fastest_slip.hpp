@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/friction/friction.hpp"
+#include "stridor/model/laws/friction.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/contact_forces.hpp"
+#include "stridor/model/contact/contact_forces.hpp"
 #include "stridor/parameters/drive.hpp"
 
 #include <cstddef>

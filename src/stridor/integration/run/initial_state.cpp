@@ -3,9 +3,9 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
 #include "stridor/parameters/start.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <string>
 #include <utility>
@@ -47,41 +47,11 @@ model::Structure with_closed_contacts(model::Structure structure) {
     return structure;
 }
 
-// along one after the other, normal one, and the plate last
-InitialState where_joints_are(const parameters::Case& c, double surface_velocity) {
-    const auto last = static_cast<Eigen::Index>(2 * c.joints.size());
-    InitialState state{Eigen::VectorXd::Zero(last + 1), Eigen::VectorXd::Zero(last + 1)};
-    for (std::size_t k = 0; k < c.joints.size(); ++k) {
-        const parameters::JointStart& start = c.joints[k].start;
-        const auto along = static_cast<Eigen::Index>(2 * k);
-        const bool sticks = start.contact == parameters::ContactStart::stick;
-        state.displacement.segment(along, 2) << start.tangential, start.normal;
-        state.velocity.segment(along, 2) << (sticks ? surface_velocity : start.tangential_velocity),
-            start.normal_velocity;
-        state.contacts.push_back(start.contact);
-        state.friction_states.push_back(start.friction_state);
-    }
-    state.displacement(last) = c.plate.initial_normal;
-    state.velocity(last) = c.plate.initial_normal_velocity;
-    return state;
-}
-
-std::vector<double> friction_states_of(const parameters::OwnStructure& own) {
-    std::vector<double> states;
-    for (const parameters::OwnContact& contact : own.contacts)
-        states.push_back(contact.initial_friction_state);
-    return states;
-}
-
-InitialState where_rows_are(const parameters::OwnStructure& own) {
-    const auto rows = static_cast<Eigen::Index>(own.row.size());
-    const auto given = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
-        if (numbers.empty()) return Eigen::VectorXd::Zero(rows);
-        STRIDOR_EXPECT(static_cast<Eigen::Index>(numbers.size()) == rows);
-        return Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
+InitialState state_at(const parameters::CaseStart& start) {
+    const auto vector_of = [](const std::vector<double>& numbers) -> Eigen::VectorXd {
+        return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
     };
-    return {given(own.initial_displacement), given(own.initial_velocity),
-            std::vector(own.contacts.size(), parameters::ContactStart::by_motion), nullptr, friction_states_of(own)};
+    return {vector_of(start.displacement), vector_of(start.velocity), start.contacts, nullptr, start.friction_states};
 }
 
 double sum_of_sizes(const Eigen::VectorXd& row, const Eigen::VectorXd& numbers) {
@@ -90,12 +60,11 @@ double sum_of_sizes(const Eigen::VectorXd& row, const Eigen::VectorXd& numbers) 
 
 // what each contact does there; throws where none may
 InitialState lawful_start(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
-    InitialState state = c.own_structure ? where_rows_are(*c.own_structure) : where_joints_are(c, surface_velocity);
+    InitialState state = state_at(parameters::start_of(c, surface_velocity));
     for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
         const model::ContactPoint& point = structure.contacts[k];
         const double moved = point.drive_share * surface_velocity;
-        const std::string name = parameters::has_named_contacts(c) ? parameters::contact_name(c, k) : "";
-        parameters::StartingContact contact{.name = name, .state = state.contacts[k]};
+        parameters::StartingContact contact{.name = parameters::told_name(c, k), .state = state.contacts[k]};
         contact.gap = point.initial_gap + point.normal.dot(state.displacement);
         contact.gap_size = std::abs(point.initial_gap) + sum_of_sizes(point.normal, state.displacement) +
                            sum_of_sizes(point.tangent, state.displacement);
@@ -150,10 +119,12 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
 }
 
 InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
+    STRIDOR_EXPECT(static_cast<int>(parameters::coordinate_count(c)) == model::dofs_of(structure));
     if (c.run.initial == parameters::Initial::given) return lawful_start(c, structure, surface_velocity);
-    if (!c.own_structure) return initial_state(structure, {c.run.initial, c.run.perturbation}, surface_velocity);
+    if (parameters::has_plate(c))
+        return initial_state(structure, {c.run.initial, c.run.perturbation}, surface_velocity);
     STRIDOR_EXPECT(c.run.initial != parameters::Initial::sliding);
-    const parameters::OwnStructure& own = *c.own_structure;
+    const InitialState added = state_at(parameters::start_of(c, surface_velocity));
     const Eigen::Index rows = model::dofs_of(structure);
     InitialState start{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows)};
     if (c.run.initial == parameters::Initial::stuck) {
@@ -163,11 +134,9 @@ InitialState initial_state(const parameters::Case& c, const model::Structure& st
             tangential(static_cast<Eigen::Index>(k)) = closed.contacts[k].drive_share * surface_velocity;
         start.velocity = least_velocity(closed, tangential, surface_velocity);
     }
-    for (std::size_t row = 0; row < own.initial_displacement.size(); ++row)
-        start.displacement(static_cast<Eigen::Index>(row)) += own.initial_displacement[row];
-    for (std::size_t row = 0; row < own.initial_velocity.size(); ++row)
-        start.velocity(static_cast<Eigen::Index>(row)) += surface_velocity * own.initial_velocity[row];
-    start.friction_states = friction_states_of(own);
+    start.displacement += added.displacement;
+    start.velocity += surface_velocity * added.velocity;
+    start.friction_states = added.friction_states;
     return start;
 }
 

@@ -4,8 +4,8 @@
 #include "stridor/integration/modal/modal_structure.hpp"
 #include "stridor/integration/rules/contact_mode.hpp"
 #include "stridor/integration/series/block_order.hpp"
-#include "stridor/model/friction/friction_jet.hpp"
-#include "stridor/model/spring.hpp"
+#include "stridor/model/laws/friction_jet.hpp"
+#include "stridor/model/laws/spring.hpp"
 
 #include <array>
 #include <cstddef>
@@ -41,12 +41,12 @@ using SurfaceSeries = std::array<double, block_order + 2>;
 ///
 ///     T_m = ratio_0 N_m + sum_{j=1..m} ratio_j N_{m-j}
 ///
-/// ratio_m follows from w_0..w_m (model/friction/friction_jet), w_m from accelerations before m: so the sum is known
+/// ratio_m follows from w_0..w_m (model/laws/friction_jet), w_m from accelerations before m: so the sum is known
 /// when N_m is sought, and joins a_m along t_i. B and (R'B)^-1 take the ratios of the block's beginning. The series
 /// then ends where that of the ratio does: the block is shortened until its last terms are rounding.
 ///
 /// A spring pushes with -F(e) along its direction. Each coefficient of F follows from e_0..e_m, so from q_0..q_m
-/// (model/spring.hpp), and joins a_m. Such a series ends where its last terms are rounding, too, and at
+/// (model/laws/spring.hpp), and joins a_m. Such a series ends where its last terms are rounding, too, and at
 /// the corners of F.
 ///
 /// A law with a friction state z has z_{m+1} = h/(m+1) z'_m, and z'_m follows from w and z up to m: ratio_m does, too.

@@ -7,10 +7,10 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/model/complement.hpp"
-#include "stridor/model/equilibrium.hpp"
-#include "stridor/model/inertial_part.hpp"
-#include "stridor/model/sliding_motion.hpp"
+#include "stridor/model/contact/equilibrium.hpp"
+#include "stridor/model/linear/complement.hpp"
+#include "stridor/model/linear/inertial_part.hpp"
+#include "stridor/model/linear/sliding_motion.hpp"
 
 #include <fmt/format.h>
 

@@ -96,11 +96,10 @@ private:
     }
 
     void add_fields(bool (*is_wanted)(const Field&)) {
-        const bool has_several = parameters::has_several_joints(c_);
         std::string_view section;
         for (const auto& [field, at, key] : parameters::fields_of(c_)) {
             if (!is_wanted(field) || !has_entry(at, field)) continue;
-            joint_ = has_several && parameters::is_of_joint(field) ? std::optional(at.joint) : std::nullopt;
+            joint_ = parameters::has_key_of_joint(c_, field) ? std::optional(at.joint) : std::nullopt;
             if (field.section != section) open_section(field.section);
             section = field.section;
             add(field.name, value_in(at, field));

@@ -185,8 +185,7 @@ std::vector<Untold> read_temperature_table(const TomlDocument& document, paramet
             columns.push_back(at_its_place(
                 *list.entry, [&] { return parameters::read_temperature_column(*list.field, items(*list.entry)); }));
             if (!at.empty()) at_its_place(*list.entry, [&] { parameters::check_length(columns.back(), at.size()); });
-            if (list.joint && parameters::has_several_joints(c))
-                columns.back().key = parameters::key_of_joint(*list.field, c.joints[*list.joint].name);
+            if (list.joint) columns.back().key = parameters::key_at({c, *list.joint}, *list.field);
         });
     if (own.empty())
         own.keep([&] {

@@ -5,6 +5,7 @@
 #include "stridor/io/json_parts.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/fields/field.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <algorithm>
@@ -67,10 +68,6 @@ std::vector<model::ContactState> states_in(const Json& list, const std::string& 
 std::string shape_text(std::size_t dofs, std::size_t contacts) {
     return std::to_string(dofs) + " degrees of freedom and " + std::to_string(contacts) +
            (contacts == 1 ? " contact" : " contacts");
-}
-
-std::size_t dofs_of_case(const parameters::Case& c) {
-    return c.own_structure ? c.own_structure->row.size() : 2 * c.joints.size() + 1;
 }
 
 }  // namespace
@@ -163,7 +160,7 @@ void expect_same_case(const ReadEndState& read, const parameters::Case& c, const
 }
 
 void expect_same_shape(const ReadEndState& read, const parameters::Case& c, const std::string& name) {
-    const std::size_t dofs = dofs_of_case(c), contacts = parameters::contact_count(c);
+    const std::size_t dofs = parameters::coordinate_count(c), contacts = parameters::contact_count(c);
     if (read.state.displacement.size() == dofs && read.state.contacts.size() == contacts) return;
     throw Error(ErrorKind::input,
                 {"the end state is of another system",

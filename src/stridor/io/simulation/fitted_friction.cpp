@@ -9,6 +9,7 @@
 #include "stridor/io/simulation/friction_test_json.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
@@ -395,11 +396,8 @@ void put_over_temperature(parameters::Case& c, const analysis::FrictionOverCondi
     for (std::size_t k = 0; k < members.size(); ++k) {
         const std::vector<double> values = values_over(over, law, members[k]);
         if (values.empty()) continue;
-        for (const parameters::PlateJoint& joint : c.joints)
-            columns.push_back({parameters::has_several_joints(c)
-                                   ? parameters::key_of_joint(*parameters::find_field(keys[k]), joint.name)
-                                   : std::string(keys[k]),
-                               values});
+        for (std::size_t joint = 0; joint < c.joints.size(); ++joint)
+            columns.push_back({parameters::key_at({c, joint}, *parameters::find_field(keys[k])), values});
     }
     parameters::set_temperature_table(c, over.temperatures, std::move(columns));
 }
@@ -414,7 +412,7 @@ std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std:
         files += (files.empty() ? "" : ", ") + test.file;
     const std::string words = fitted.over ? analysis::words_of(*fitted.over) : analysis::words_of(fitted.fit);
     const std::string heading = fmt::format("friction fitted: {}\n{}", files, words);
-    if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
+    parameters::share_friction(c);
     for (parameters::PlateJoint& joint : c.joints) {
         joint.contact.friction = wanted.contact.friction;
         joint.contact.interpolation = wanted.contact.interpolation;

@@ -7,7 +7,7 @@
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/friction_test_json.hpp"
 #include "stridor/parameters/fields/case_key.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/rig_channels.hpp"
 
@@ -162,14 +162,6 @@ MeasuredFriction measured_friction(const FrictionTexts& texts, const std::functi
     return {std::move(recorded.test), std::move(trace)};
 }
 
-std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters::OwnStructure structure) {
-    for (parameters::OwnContact& contact : structure.contacts) {
-        contact.static_friction.reset();
-        contact.kinetic_friction.reset();
-    }
-    return std::make_shared<const parameters::OwnStructure>(std::move(structure));
-}
-
 namespace {
 
 // to four digits, as a model takes them
@@ -223,7 +215,7 @@ std::string case_with_friction(parameters::Case c, const MeasuredFriction& measu
     std::string heading =
         fmt::format("friction coefficients measured: {}, preload {:g} N", measured.test.file, measured.test.preload);
     if (!has_static) heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
-    if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
+    parameters::share_friction(c);
     parameters::set_quantity(c, "contact.static_friction", mu_s);
     parameters::set_quantity(c, "contact.kinetic_friction", mu_d);
     return case_toml(c, {Comments::full, heading});

@@ -2,7 +2,6 @@
 
 #include "stridor/analysis/friction/trace.hpp"
 #include "stridor/parameters/case.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <functional>
@@ -55,9 +54,6 @@ RecordedFriction recorded_friction(const FrictionTexts& texts, const std::functi
 
 /// Returns the definitions of a command line.
 analysis::FrictionTraceOptions trace_options(const FrictionTexts& texts);
-
-/// Returns a structure whose contacts have no friction of their own: what was measured is meant for all.
-std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters::OwnStructure structure);
 
 /// The friction of a recording, and what it was measured with.
 struct MeasuredFriction {

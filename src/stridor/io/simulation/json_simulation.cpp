@@ -6,8 +6,8 @@
 #include "stridor/io/json_members.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/simulation_tables.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <array>
 #include <complex>

@@ -6,7 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/csv_opening.hpp"
-#include "stridor/model/sliding_motion.hpp"
+#include "stridor/model/linear/sliding_motion.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/record/trace.hpp"
 #include "stridor/recordings/time_grid.hpp"

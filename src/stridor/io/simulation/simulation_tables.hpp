@@ -3,8 +3,8 @@
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/parameters/case.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/record/recorder.hpp"
 #include "stridor/record/tally.hpp"
 #include "stridor/record/trace.hpp"
@@ -18,27 +18,10 @@
 
 namespace stridor::io {
 
-/// What moves in the degrees of freedom of the rubbing system, after "displacement".
-inline constexpr std::array<std::string_view, 3> dof_sentences{
-    "of the joint along the plate", "of the joint across the plate", "of the plate across the contact"};
-
-/// Names of the degrees of freedom in files: x1, y1, y2 of the rubbing system; of several joints x and y with their
-/// names, then y_plate; of an own structure its rows.
-inline std::vector<std::string> dof_names(const parameters::Case& c) {
-    if (c.own_structure) return c.own_structure->row;
-    if (!parameters::has_several_joints(c)) return {"x1", "y1", "y2"};
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < c.joints.size(); ++k)
-        for (const std::string_view direction : {"x_", "y_"})
-            names.push_back(std::string(direction) + parameters::joint_name(c, k));
-    names.emplace_back("y_plate");
-    return names;
-}
-
 /// Returns names of `count` degrees of freedom: with the outputs of an own structure if they are in the record, and u1,
 /// u2, ... if it is that of another structure.
 inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t count) {
-    std::vector<std::string> names = dof_names(c);
+    std::vector<std::string> names = parameters::coordinate_names(c);
     if (names.size() == count) return names;
     for (const parameters::OwnOutput& output : parameters::outputs_of(c))
         names.push_back(output.name);

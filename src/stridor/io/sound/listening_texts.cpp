@@ -10,8 +10,6 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/json_parts.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/sweep/cell_choice.hpp"

@@ -114,10 +114,10 @@ void expect_joint_of(const Case& c, std::string_view key) {
 
 std::vector<std::string> single_keys(const Case& c, std::string_view key) {
     const Field& field = expected_field(key);
-    if (!is_of_joint(field) || !has_several_joints(c)) return {key_of(field)};
+    if (!has_key_of_joint(c, field)) return {key_of(field)};
     std::vector<std::string> keys;
     for (const std::size_t joint : joints_of(c, key))
-        keys.push_back(key_of_joint(field, joint_name(c, joint)));
+        keys.push_back(key_at({c, joint}, field));
     return keys;
 }
 
@@ -128,13 +128,12 @@ bool overlap(const Case& c, std::string_view a, std::string_view b) {
 }
 
 std::vector<FieldOfCase> fields_of(const Case& c) {
-    const bool has_several = has_several_joints(c);
     std::vector<FieldOfCase> all;
-    for (std::size_t joint = 0; has_several && joint < c.joints.size(); ++joint)
+    for (std::size_t joint = 0; joint < c.joints.size(); ++joint)
         for (const Field& field : fields())
-            if (is_of_joint(field)) all.push_back({field, {c, joint}, key_of_joint(field, joint_name(c, joint))});
+            if (has_key_of_joint(c, field)) all.push_back({field, {c, joint}, key_at({c, joint}, field)});
     for (const Field& field : fields())
-        if (!has_several || !is_of_joint(field)) all.push_back({field, c, key_of(field)});
+        if (!has_key_of_joint(c, field)) all.push_back({field, c, key_of(field)});
     return all;
 }
 

@@ -3,6 +3,7 @@
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/drive.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ inline bool always(CaseView) {
     return true;
 }
 inline bool has_joints(CaseView at) {
-    return !at.c.own_structure;
+    return has_plate(at.c);
 }
 inline bool has_cubic(CaseView at) {
     return has_joints(at) && at.own().joint.stiffening == Stiffening::cubic;
@@ -33,10 +34,10 @@ inline bool follows_humidity(CaseView at) {
     return !at.own().contact.pair.humidity.empty();
 }
 inline bool has_own_structure(CaseView at) {
-    return at.c.own_structure != nullptr;
+    return !has_plate(at.c);
 }
 inline bool has_springs(CaseView at) {
-    return at.c.own_structure && !names_of_springs(at.c).empty();
+    return !has_plate(at.c) && !names_of_springs(at.c).empty();
 }
 inline bool has_preload(CaseView at) {
     return is_preloaded(at.c);

@@ -4,11 +4,11 @@
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/field_belongs.hpp"
 #include "stridor/parameters/fields/friction_keys.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "stridor/parameters/rules/resolution.hpp"
 #include "stridor/parameters/start.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/parameters/tables/material_pair.hpp"
 #include "stridor/parameters/tables/temperature_table.hpp"
 
@@ -53,7 +53,7 @@ double fastest_surface(const Drive& drive) {
 // a force as measured whose file nobody has read
 void check_axial_force(CaseView at, std::vector<Finding>& found) {
     const Joint& joint = at.own().joint;
-    if (at.c.own_structure || joint.stiffening != Stiffening::table || !joint.axial_force.deflections.empty()) return;
+    if (!has_plate(at.c) || joint.stiffening != Stiffening::table || !joint.axial_force.deflections.empty()) return;
     const std::string why =
         joint.axial_force.file.empty() ? "" : "the file \"" + joint.axial_force.file + "\" was not read";
     found.push_back({"joint.axial_force",

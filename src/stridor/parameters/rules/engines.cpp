@@ -1,7 +1,6 @@
 #include "stridor/parameters/rules/engines.hpp"
 
-#include "stridor/parameters/joints.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +102,7 @@ const Lack lacks[] = {
      "Use \"standard\"; a structure of your own may do without."},
 };
 
-// has the contact's law a power series along any motion (model/friction/friction_jet)? A power of the slip velocity
+// has the contact's law a power series along any motion (model/laws/friction_jet)? A power of the slip velocity
 // that is no whole number has none where a slip begins
 bool has_series(const Contact& contact) {
     const bool has_power = contact.friction == FrictionKind::stribeck ||
@@ -115,8 +114,8 @@ bool has_series(const Contact& contact) {
 
 // beyond the paper's joint, where it stiffens, and where friction changes with the slip velocity or with rest
 bool needs_series(const Case& c) {
-    return c.own_structure || has_several_joints(c) || !is_state_wise(c.contact().friction) ||
-           grows_with_rest(c.contact()) || !names_of_springs(c).empty();
+    return !has_one_joint(c) || !is_state_wise(c.contact().friction) || grows_with_rest(c.contact()) ||
+           !names_of_springs(c).empty();
 }
 
 }  // namespace
@@ -148,6 +147,10 @@ Engine engine_of(const Case& c) {
 
 bool is_solved_by_series(const Case& c) {
     return engine_of(c) == Engine::exact && needs_series(c);
+}
+
+bool is_without_inertia(const Case& c) {
+    return engine_of(c) == Engine::moreau && c.run.formulation == Formulation::massless;
 }
 
 std::vector<Method> methods_of(const Case& c) {

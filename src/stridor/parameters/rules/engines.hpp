@@ -64,6 +64,9 @@ std::optional<base::Problem> why_not_exact(const Case& c);
 /// Does the exact engine go from event to event by Taylor series?
 bool is_solved_by_series(const Case& c);
 
+/// Says whether only the contacts of a case move without inertia.
+bool is_without_inertia(const Case& c);
+
 /// The methods that a case is solved by: two where both formulations are run.
 std::vector<Method> methods_of(const Case& c);
 

@@ -17,6 +17,7 @@
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/fields/friction_keys.hpp"
 #include "stridor/parameters/rules/engines.hpp"
+#include "stridor/parameters/system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ void find_unresolvable(CaseView at, std::vector<Finding>& found) {
     const std::size_t before = found.size();
     find_large_and_small(at, found);
     if (found.size() > before) return;
-    if (!c.own_structure) find_in_joint(at, found);
+    if (has_plate(c)) find_in_joint(at, found);
     for (const std::string_view key : {"contact.static_friction", "contact.static_friction_coming"}) {
         const Field& field = *find_field(key);
         if (!field.belongs(at) || get_quantity(at, field) <= most_apart) continue;

@@ -77,9 +77,7 @@ const TemperatureColumn* temperature_column(const Case& c, std::string_view key)
 }
 
 const TemperatureColumn* temperature_column(CaseView at, const Field& field) {
-    const std::string key = has_several_joints(at.c) && is_of_joint(field)
-                                ? key_of_joint(field, joint_name(at.c, at.joint))
-                                : key_of(field);
+    const std::string key = key_at(at, field);
     const auto& columns = at.c.temperature.columns;
     const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.key == key; });
     return found == columns.end() ? nullptr : &*found;

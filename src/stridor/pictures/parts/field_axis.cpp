@@ -130,7 +130,7 @@ drawing::StyledText conditions(const parameters::Case& c, std::span<const std::s
         const bool is_varied = std::any_of(varied.begin(), varied.end(), [&](std::string_view each) {
             return parameters::field_of(each) == parameters::find_field(key);
         });
-        return parameters::has_several_joints(c) && parameters::is_of_joint(*parameters::find_field(key)) &&
+        return parameters::has_key_of_joint(c, *parameters::find_field(key)) &&
                (is_varied || !parameters::has_one_value(c, key));
     };
     // what follows an axis has no one value
