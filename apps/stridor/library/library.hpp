@@ -47,7 +47,7 @@ void add_entry_options(CLI::App& command, EntryOptions& options);
 /// Writes these values into an entry; throws `Error` (input) that names the option.
 void apply(const EntryOptions& options, noise_library::Entry& entry);
 
-/// The subcommands that bring entries in and out.
+/// Adds the subcommands that bring entries in and out.
 void add_library_add(CLI::App& library);
 void add_library_judge(CLI::App& library);
 void add_library_starter(CLI::App& library);

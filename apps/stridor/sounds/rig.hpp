@@ -6,7 +6,7 @@ class App;
 
 namespace stridor::app {
 
-/// One function per figure of the rig: `stridor rig NAME`.
+/// Adds a command per figure of the rig: `stridor rig NAME`.
 void add_rig_friction(CLI::App& rig);
 void add_rig_sensitivity(CLI::App& rig);
 

@@ -35,7 +35,7 @@ public:
     /// over: rank 0 has begun another one, or has ended.
     bool step();
 
-    /// Does all steps of a work.
+    /// Takes all steps of a work.
     void serve(const crew::Work& work, HandOptions options);
 
     /// Waits at the end of the command for the end of rank 0, and returns the exit code of the whole job. If rank 0

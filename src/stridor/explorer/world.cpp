@@ -112,14 +112,17 @@ Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
     const io::CaseReaders keeping{
-        keep, readers.structure,
+        keep,
+        [&](const io::TomlDocument& of) {
+            if (!preset.structure) preset.structure = readers.structure(of);
+            return preset.structure;
+        },
         [&](const std::string& path) { return preset.friction[path] = readers.friction(path); },
         [&](const std::string& path) { return preset.force[path] = readers.force(path); },
         [&](const std::string& path, const std::string& name) {
             return preset.pairs[{path, name}] = readers.pair(path, name);
         }};
     const parameters::Case c = io::read_case(document, keeping);
-    preset.structure = c.own_structure;
     const io::AxisTexts axes = document.find("chart") != nullptr ? io::AxisTexts{} : axes_around(c);
     preset.study = io::read_study(document, axes, keeping);
     return preset;

@@ -1,6 +1,7 @@
 #include "stridor/hearing/heard_motion.hpp"
 
 #include "stridor/analysis/evidence.hpp"
+#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"

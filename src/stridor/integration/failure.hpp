@@ -8,8 +8,8 @@
 
 namespace stridor::integration {
 
-/// Why a run has no result, and what to do about it, as every command and every cell of a chart says it; nothing for a
-/// run that has one.
+/// Returns why a run has no result, and what to do about it, as every command and every cell of a chart says it;
+/// nothing for a run that has one.
 ///
 /// Its kind is numerical, but input for a step beyond the limit and interrupted for a run that was stopped.
 std::optional<Error> failure(const parameters::Case& c, const Motion& motion);

@@ -20,7 +20,7 @@ struct Cost {
     double step_limit = 0.0;  // [s] largest stable time step; exact: infinite
 };
 
-/// The cost of a case, from the fastest natural frequency of its system while separated.
+/// Returns the cost of a case, from the fastest natural frequency of its system while separated.
 /// The case must have no `parameters::findings`.
 Cost cost(const parameters::Case& c);
 

@@ -19,7 +19,7 @@ struct Member {
     std::variant<double Record::*, base::Json (*)(const Record&)> value;
 };
 
-/// A record as an object, its members in their order.
+/// Returns a record as an object, its members in their order.
 template <typename Members, typename Record>
 base::Json object_of(const Members& members, const Record& record) {
     base::Json object = base::Json::object();
@@ -48,7 +48,7 @@ void put_units(base::Json& units, const std::string& place, const Members& membe
             units[place + std::string(member.about.key)] = unit;
 }
 
-/// The description of a record alone.
+/// Returns the description of a record alone.
 template <typename Members>
 DescribedRecord described(std::string_view name, std::string_view sentence, const Members& members) {
     DescribedRecord record{name, sentence, {}};

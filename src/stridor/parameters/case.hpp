@@ -102,17 +102,17 @@ enum class RestKind {
     kato,         // towards an end: lubricated slideways
 };
 
-/// Are coefficients of the law the same as long as the contact sticks, or slips one way?
+/// Says whether coefficients of the law are the same as long as the contact sticks, or slips one way.
 constexpr bool is_state_wise(FrictionKind kind) {
     return kind == FrictionKind::coulomb || kind == FrictionKind::directional;
 }
 
-/// Does the law put a steep slope in the place of sticking? Such motions creep where they should stick.
+/// Says whether the law puts a steep slope in the place of sticking. Such motions creep where they should stick.
 constexpr bool is_regularised(FrictionKind kind) {
     return kind == FrictionKind::tanh || kind == FrictionKind::arctan;
 }
 
-/// Has the law a friction state (model/laws/friction)? Such a contact creeps, and never sticks.
+/// Says whether the law has a friction state (model/laws/friction). Such a contact creeps, and never sticks.
 constexpr bool has_friction_state(FrictionKind kind) {
     return kind == FrictionKind::lugre || kind == FrictionKind::dieterich || kind == FrictionKind::ruina;
 }
@@ -180,7 +180,7 @@ struct Contact {
     double humidity = 0.5;     // [1] pair: relative, of the air
 };
 
-/// Does static friction of the contact grow with the time of rest? Without a stick none does.
+/// Says whether static friction of the contact grows with the time of rest. Without a stick none does.
 constexpr bool grows_with_rest(const Contact& contact) {
     return contact.rest != RestKind::none && !is_regularised(contact.friction) && !has_friction_state(contact.friction);
 }
@@ -311,7 +311,7 @@ struct Case {
     Thresholds verdict;
     Temperature temperature{};
 
-    /// The first joint, and its contact.
+    /// Returns the first joint, and its contact.
     Joint& joint() { return joints.front().joint; }
     const Joint& joint() const { return joints.front().joint; }
     Contact& contact() { return joints.front().contact; }
@@ -325,7 +325,7 @@ inline Drive drive_of_run(const Case& c) {
     return drive;
 }
 
-/// Has each joint its own keys, "joint.lip2.mass"?
+/// Says whether each joint has its own keys, "joint.lip2.mass".
 inline bool has_several_joints(const Case& c) {
     return c.joints.size() > 1;
 }

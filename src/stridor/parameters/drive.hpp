@@ -51,34 +51,36 @@ struct VelocityProfile {
 /// Returns how much of a period has gone by when the run begins [1]; 0 of a drive without a period.
 double turns_at_start(const Drive& drive);
 
-/// Its kind, as a case names it.
+/// Returns its kind, as a case names it.
 std::string_view kind_name(const Drive& drive);
 
-/// V(t) from 0 to `until` [s] at least. A sampled drive ends with its samples.
+/// Returns V(t) from 0 to `until` [s] at least. A sampled drive ends with its samples.
 VelocityProfile velocity_profile(const Drive& drive, double until = 0.0);
 
-/// Is V the same for ever, and nothing else moves the structure? Then a run may end once its future is proven.
+/// Says whether V is the same for ever, and nothing else moves the structure. Then a run may end once its future is
+/// proven.
 bool is_steady(const Drive& drive);
 
-/// Does the surface never turn round? Then a run has one phase.
+/// Says whether the surface never turns round. Then a run has one phase.
 bool has_one_phase(const Drive& drive);
 
-/// Does a force shake the structure while the surface stands still?
+/// Says whether a force shakes the structure while the surface stands still.
 bool is_by_force(const Drive& drive);
 
-/// How often the motion repeats itself, with one going and one coming phase [Hz]; 0 if it does not.
+/// Returns how often the motion repeats itself, with one going and one coming phase [Hz]; 0 if it does not.
 double repetition_rate(const Drive& drive);
 
-/// Does it come from a file? Then its numbers are no fields, and nobody knows them who has only the case's text.
+/// Says whether it comes from a file. Then its numbers are no fields, and nobody knows them who has only the case's
+/// text.
 bool is_of_file(const Drive& drive);
 
-/// Which way a steady drive moves the plate: the sign of its velocity.
+/// Returns which way a steady drive moves the plate: the sign of its velocity.
 Direction steady_direction(const Drive& drive);
 
 /// Returns the directions in which its runs are judged: that of a drive with one phase; else going and coming.
 std::vector<Direction> judged_directions(const Drive& drive);
 
-/// The largest |V| [m/s] that the fields of a drive say; not a number for one of a file.
+/// Returns the largest |V| [m/s] that the fields of a drive say; not a number for one of a file.
 double greatest_speed(const Drive& drive);
 
 }  // namespace stridor::parameters

@@ -14,13 +14,14 @@ namespace stridor::parameters {
 /// Most joints of a case: with ten the event-driven engine is at its limit.
 inline constexpr std::size_t most_joints = 16;
 
-/// The name of a joint; "joint" where there is only one.
+/// Returns the name of a joint; "joint" where there is only one.
 std::string joint_name(const Case& c, std::size_t joint);
 
-/// Is it a field of [joint] or [contact], of which each of several joints has its own?
+/// Says whether it is a field of [joint] or [contact], of which each of several joints has its own.
 bool is_of_joint(const Field& field);
 
-/// Two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that moves evenly.
+/// Returns the case of two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that
+/// moves evenly.
 Case two_lips();
 
 /// A key of one joint: its name, and the key that it is for a case with one joint.
@@ -32,20 +33,20 @@ struct JointKey {
 /// Takes "joint.lip2.contact.preload" apart; nothing for a key of any other form.
 std::optional<JointKey> joint_key(std::string_view key);
 
-/// The key again: "joint.lip2.contact.preload".
+/// Returns the key again: "joint.lip2.contact.preload".
 std::string key_of_joint(const JointKey& key);
 
-/// The key of a joint's field, which is one of [joint] or [contact].
+/// Returns the key of a joint's field, which is one of [joint] or [contact].
 std::string key_of_joint(const Field& field, std::string_view joint);
 
-/// Has each joint of the case a value of its own for a field, and a key of its own: "joint.lip2.mass"?
+/// Says whether each joint of the case has a value and a key of its own for a field: "joint.lip2.mass".
 bool has_key_of_joint(const Case& c, const Field& field);
 
 /// Returns the key of a field at a joint of a case: "joint.lip2.mass" where each has its own, "joint.mass" or
 /// "drive.velocity" elsewhere.
 std::string key_at(CaseView at, const Field& field);
 
-/// A word that may name a joint: letters, digits, "_" and "-", and no key of `[joint]`.
+/// Returns a word that may name a joint: letters, digits, "_" and "-", and no key of `[joint]`.
 bool names_a_joint(std::string_view name);
 
 }  // namespace stridor::parameters

@@ -101,24 +101,24 @@ std::optional<std::size_t> massless_row(const OwnStructure& structure);
 /// number.
 const double* recipe_number(const Case& c, std::string_view key);
 
-/// Does a structure that a builder made start with other velocities than the builder's?
+/// Says whether a structure that a builder made starts with other velocities than the builder's.
 bool has_given_velocity(const OwnStructure& own);
 
 /// Builds the structure of a case again with another number for `key` in its recipe. Does nothing if the recipe lacks
 /// the key.
 void rebuild(Case& c, std::string_view key, double value);
 
-/// What changes a result, as a hash: the same for equal numbers, whatever file they came from.
+/// Returns what changes a result, as a hash: the same for equal numbers, whatever file they came from.
 std::string content_hash(const OwnStructure& structure);
 
-/// Number of each contact's interface, from 0 in the order of their contacts; shape [contact].
+/// Returns number of each contact's interface, from 0 in the order of their contacts; shape [contact].
 std::vector<int> interface_numbers(const OwnStructure& structure);
 
-/// Where each contact is along the line of contacts [m], from the first end of it: its position along the longest side
-/// of the box around all. Empty where a position is not known, or all are one; shape [contact].
+/// Returns where each contact is along the line of contacts [m], from the first end of it: its position along the
+/// longest side of the box around all. Empty where a position is not known, or all are one; shape [contact].
 std::vector<double> places_along_line(const OwnStructure& structure);
 
-/// Has it a structure that no builder makes? Its matrices cannot be changed by keys.
+/// Says whether a case has a structure that no builder makes. Its matrices cannot be changed by keys.
 bool has_given_structure(const Case& c);
 
 }  // namespace stridor::parameters

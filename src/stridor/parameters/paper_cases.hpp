@@ -12,7 +12,7 @@ enum class PaperCase { squeal, squeak, creak, quiet };
 
 inline constexpr std::array<std::string_view, 4> paper_case_names{"squeal", "squeak", "creak", "quiet"};
 
-/// A column of Table 1: sinusoidal drive of 4 mm at 5 Hz, 1 s, started at rest, computed with h = 1e-7 s.
+/// Returns a column of Table 1: sinusoidal drive of 4 mm at 5 Hz, 1 s, started at rest, computed with h = 1e-7 s.
 Case paper_case(PaperCase which);
 
 }  // namespace stridor::parameters

@@ -13,14 +13,14 @@
 /// cases, their fields and the builders of their structure (model/built) look at the kind.
 namespace stridor::parameters {
 
-/// Is it joints on a plate that rub?
+/// Says whether it is joints on a plate that rub.
 bool has_plate(const Case& c);
 
-/// Is it a joint alone on its plate, which needs no name?
+/// Says whether it is a joint alone on its plate, which needs no name.
 bool has_one_joint(const Case& c);
 
-/// Returns the names of the coordinates in which a case moves, as files have them: x1, y1, y2 of a joint on its plate; of
-/// several joints x and y with their names, then y_plate; of a structure its rows.
+/// Returns the names of the coordinates in which a case moves, as files have them: x1, y1, y2 of a joint on its plate;
+/// of several joints x and y with their names, then y_plate; of a structure its rows.
 std::vector<std::string> coordinate_names(const Case& c);
 
 /// Returns the number of coordinates in which a case moves.
@@ -46,13 +46,13 @@ std::vector<double> weight_of_one(const Case& c, std::size_t coordinate);
 /// Returns the share of the drive's velocity that the surface has at a contact [1].
 double drive_share_at(const Case& c, std::size_t contact);
 
-/// Is any case pressed by contact.preload? Else its structure is, by a load or by gaps that are negative.
+/// Says whether a case is pressed by contact.preload. Else its structure is, by a load or by gaps that are negative.
 bool is_preloaded(const Case& c);
 
 /// Returns the number of contacts of a case.
 std::size_t contact_count(const Case& c);
 
-/// Is a contact of it told by name? The one of a joint alone on its plate is not.
+/// Says whether its contacts are told by name. The one of a joint alone on its plate is not.
 bool has_named_contacts(const Case& c);
 
 /// Returns the name of a contact: its joint's, or its own.

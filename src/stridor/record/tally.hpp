@@ -27,7 +27,7 @@ using ContactHistory = std::vector<ContactInterval>;
 /// A kind of change of state, (from, to), as one number in [0, contact_states^2).
 inline constexpr std::size_t change_kinds = static_cast<std::size_t>(model::contact_states) * model::contact_states;
 
-/// The number of the change from one state to another.
+/// Returns the number of the change from one state to another.
 constexpr std::size_t change_kind(model::ContactState from, model::ContactState to) {
     return model::index_of(from) * model::contact_states + model::index_of(to);
 }

@@ -43,7 +43,7 @@ std::string_view word(const StartVerdict& verdict);
 /// Returns the same of a cell's run.
 std::string_view word(const Cell& cell);
 
-/// Do the runs of two cells have the same verdict?
+/// Says whether the runs of two cells have the same verdict.
 bool has_same_verdict(const Cell& a, const Cell& b);
 
 /// Returns the place of the first of the worst verdicts.

@@ -6,7 +6,7 @@
 
 namespace stridor::console {
 
-/// What `stridor advise` prints for people.
+/// Returns what `stridor advise` prints for people.
 std::string advice_text(const advice::Advice& advice);
 
 }  // namespace stridor::console

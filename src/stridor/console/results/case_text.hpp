@@ -10,19 +10,19 @@
 
 namespace stridor::console {
 
-/// A case resolved: its fields by section, natural frequencies, what a run of it costs.
+/// Returns a case resolved: its fields by section, natural frequencies, what a run of it costs.
 std::string case_text(const parameters::Case& c, const integration::Cost& cost);
 
-/// What a part holds, in SI.
+/// Returns what a part holds, in SI.
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size);
 
-/// Its rigid-body modes and frequencies.
+/// Returns its rigid-body modes and frequencies.
 std::string vibration_text(const reduction::PartVibration& vibration);
 
-/// What its contacts meet in an impact.
+/// Returns what its contacts meet in an impact.
 std::string part_contacts_text(const reduction::PartContacts& contacts);
 
-/// What a reduction kept, and its errors.
+/// Returns what a reduction kept, and its errors.
 std::string reduction_text(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);
 
 }  // namespace stridor::console

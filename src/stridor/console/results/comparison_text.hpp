@@ -9,13 +9,13 @@
 
 namespace stridor::console {
 
-/// A row per figure, a column per sound, and the distances of all from the first.
+/// Returns a row per figure, a column per sound, and the distances of all from the first.
 std::string comparison_text(std::span<const classification::ComparedSound> sounds);
 
-/// "x=20.74 N,y=0.5949,direction=going": the cell as it can be asked for.
+/// Returns "x=20.74 N,y=0.5949,direction=going": the cell as it can be asked for.
 std::string match_name(const sweep::Study& study, const hearing::SoundMatch& match);
 
-/// The recording, how much of the chart was listened to, and the nearest cells with what differs.
+/// Returns the recording, how much of the chart was listened to, and the nearest cells with what differs.
 std::string match_text(const io::MatchReport& report);
 
 }  // namespace stridor::console

@@ -7,13 +7,13 @@
 
 namespace stridor::console {
 
-/// The tables of an evaluation as people read them.
+/// Returns the tables of an evaluation as people read them.
 std::string evaluation_text(const io::HearingReport& report);
 
-/// The head of the table of checks.
+/// Returns the head of the table of checks.
 std::string check_heading();
 
-/// A row of it: name, expected and computed number, their difference, tolerance, and whether it passes.
+/// Returns a row of it: name, expected and computed number, their difference, tolerance, and whether it passes.
 std::string check_row(const verification::Check& check);
 
 }  // namespace stridor::console

@@ -9,20 +9,21 @@
 
 namespace stridor::console {
 
-/// "  12.000 -   15.000 s  creak   0.87   -32.1 dB re FS   1042 Hz  channel 2": a noisy passage as it is heard.
+/// Returns "  12.000 -   15.000 s  creak   0.87   -32.1 dB re FS   1042 Hz  channel 2": a noisy passage as it is heard.
 std::string live_passage_line(const hearing::LivePassage& passage, const io::LiveInput& input);
 
-/// "noise 3: creak, 12.000 to 18.500 s, kept in clips/noise-....wav".
+/// Returns "noise 3: creak, 12.000 to 18.500 s, kept in clips/noise-....wav".
 std::string live_noise_line(const hearing::LiveNoise& noise, const io::KeptClip& kept);
 
-/// "gap at 33.200 s: 0.012 s are missing (overrun)".
+/// Returns "gap at 33.200 s: 0.012 s are missing (overrun)".
 std::string live_gap_line(const io::LiveGap& gap);
 
-/// "heard 600.000 s in 1 take, 3 noises, 0 gaps: the input ended".
+/// Returns "heard 600.000 s in 1 take, 3 noises, 0 gaps: the input ended".
 std::string live_sum_line(const io::LiveSum& sum);
 
-/// What a live ear hears now, as lines of a terminal that is `columns` wide: what is listened to, and for each channel
-/// its level, the course of the last minute, and under it the first letters of the noises: l squeal, k squeak, c creak.
+/// Returns what a live ear hears now, as lines of a terminal that is `columns` wide: what is listened to, and for each
+/// channel its level, the course of the last minute, and under it the first letters of the noises: l squeal, k squeak,
+/// c creak.
 std::string live_block(const io::LiveInput& input, std::span<const hearing::LiveCourse> courses, const io::LiveSum& sum,
                        std::size_t columns);
 

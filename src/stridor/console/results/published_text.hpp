@@ -6,13 +6,13 @@
 
 namespace stridor::console {
 
-/// The head of the table of published results.
+/// Returns the head of the table of published results.
 std::string published_heading();
 
-/// A system of it: where it was read, its case, what was assumed, and a row for each number.
+/// Returns a system of it: where it was read, its case, what was assumed, and a row for each number.
 std::string published_text(const verification::HeldSystem& system);
 
-/// What was not reproduced, with the reason below it.
+/// Returns what was not reproduced, with the reason below it.
 std::string not_reproduced_text();
 
 }  // namespace stridor::console

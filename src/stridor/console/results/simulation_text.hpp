@@ -9,7 +9,7 @@
 
 namespace stridor::console {
 
-/// A run and its verdicts: what drives it, the table of phases, why each is called so.
+/// Returns a run and its verdicts: what drives it, the table of phases, why each is called so.
 std::string simulation_text(const parameters::Case& c, const integration::Motion& motion,
                             const std::vector<classification::Verdict>& verdicts);
 

@@ -11,28 +11,28 @@
 
 namespace stridor::console {
 
-/// "1 left": how a channel is called.
+/// Returns "1 left": how a channel is called.
 std::string channel_title(const io::SoundReport& report, std::size_t channel);
 
-/// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
+/// Returns "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
 std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
 
-/// The verdict by ear on each channel, its segments, and why each category was heard.
+/// Returns the verdict by ear on each channel, its segments, and why each category was heard.
 std::string verdict_text(const io::SoundReport& report);
 
-/// "door.wav  creak  0.87  ...": many recordings by ear, a line each, and how many there are of each category.
+/// Returns "door.wav  creak  0.87  ...": many recordings by ear, a line each, and how many there are of each category.
 std::string classified_text(std::span<const io::ClassifiedRecording> rows);
 
 /// Are A-weighted levels told of sound pressures alone, or of any unit?
 enum class Weighting { of_pressures, of_all };
 
-/// Levels, loudness, peaks, bands and segments of each channel.
+/// Returns levels, loudness, peaks, bands and segments of each channel.
 std::string analysis_text(const io::SoundReport& report, Weighting weighting);
 
-/// Format, rate, duration and channels of a recording, and why each has its unit.
+/// Returns format, rate, duration and channels of a recording, and why each has its unit.
 std::string signal_text(const io::SignalSummary& summary);
 
-/// What was made audible of which motion, and how loud it is.
+/// Returns what was made audible of which motion, and how loud it is.
 std::string listening_text(const io::SoundInfo& info);
 
 }  // namespace stridor::console

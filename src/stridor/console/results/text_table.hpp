@@ -23,10 +23,10 @@ struct TextColumn {
     enum class Side : std::uint8_t { left, right } side = Side::right;
 };
 
-/// A column whose cells begin below each other.
+/// Returns a column whose cells begin below each other.
 TextColumn left(std::string_view heading, std::size_t width = 0);
 
-/// A column whose cells end below each other, as numbers do.
+/// Returns a column whose cells end below each other, as numbers do.
 TextColumn right(std::string_view heading, std::size_t width = 0);
 
 /// Cells in columns. Without any heading it has no first line.
@@ -43,23 +43,23 @@ void add_row(TextTable& table, const Cells&... cells) {
     table.rows.push_back({fmt::format("{}", cells)...});
 }
 
-/// The table as lines, without blanks at their ends.
+/// Returns the table as lines, without blanks at their ends.
 std::string text_of(const TextTable& table);
 
-/// How many columns of a terminal a text takes [1]: Chinese letters take two, the codes of `styled` none.
+/// Returns how many columns of a terminal a text takes [1]: Chinese letters take two, the codes of `styled` none.
 std::size_t width_of(std::string_view text);
 
-/// A number by a format such as "{:.1f} %"; "-" where it is not finite.
+/// Returns a number by a format such as "{:.1f} %"; "-" where it is not finite.
 std::string number_or_dash(double value, const char* format);
 
-/// " N", " 1/s"; nothing for a number without a dimension.
+/// Returns " N", " 1/s"; nothing for a number without a dimension.
 std::string after_number(std::string_view unit);
 
-/// "1 record", "2 records".
+/// Returns "1 record", "2 records".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-/// A line for each figure that is held against a threshold, with the figure's error where it has one. The widths are
-/// those of the two names.
+/// Returns a line for each figure that is held against a threshold, with the figure's error where it has one. The
+/// widths are those of the two names.
 std::string margin_lines(std::span<const classification::Margin> margins, std::size_t figure, std::size_t threshold);
 
 }  // namespace stridor::console

@@ -17,7 +17,7 @@ struct Beta2 {
     double beta_2 = 0.5;  // [1] in [0.5, 1]
 };
 
-/// Largest stable time step [s] of the scheme for an angular frequency [rad/s]: h = sqrt(2 / beta_2) / omega.
+/// Returns largest stable time step [s] of the scheme for an angular frequency [rad/s]: h = sqrt(2 / beta_2) / omega.
 double stable_step(double beta_2, double angular_frequency);
 
 /// Integrates a structure with a contact by the explicit beta_2 scheme with kinematic contact.

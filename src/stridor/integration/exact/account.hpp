@@ -21,7 +21,7 @@ struct Totals {
     double largest_force = 0.0;              // [N] largest N where states and spans ended
 };
 
-/// The integrals of what was added up.
+/// Returns the integrals of what was added up.
 Totals totals(const Flows& flows, const Account& account);
 
 /// Adds a multiple of the integrals; of peaks the larger counts.

@@ -31,7 +31,7 @@ struct ContactCoordinates {
     double tangent_on_gap = 0.0;        // [1] t.r: slip velocity per gap velocity
 };
 
-/// These coordinates of a structure, which must have a regular mass matrix.
+/// Returns these coordinates of a structure, which must have a regular mass matrix.
 template <int dofs>
 ContactCoordinates<dofs> contact_coordinates(const model::SizedStructure<dofs>& structure) {
     static_assert(dofs == 2 || dofs == 3);

@@ -24,19 +24,19 @@ struct Transition {
     double drive_work = 0.0;     // [J]
 };
 
-/// The value of a row: a linear functional of a state.
+/// Returns the value of a row: a linear functional of a state.
 double dot(const Lanes& row, const Lanes& s);
 
-/// What rounding may make of a row of forces: a contact that rests at the limit of friction
+/// Returns what rounding may make of a row of forces: a contact that rests at the limit of friction
 /// (mu_s = mu_d, and a plate that has come to a stop under a steady slip) must not leave it by rounding, nor come back
 /// by it. About 1e-13 of the forces.
 double force_rounding(const Lanes& row, const Lanes& s);
 
-/// The state of a closed contact with slip velocity w: at w = 0 it sticks if |T| <= mu_s N, else it slips against T; it
-/// opens at once if N < 0.
+/// Returns the state of a closed contact with slip velocity w: at w = 0 it sticks if |T| <= mu_s N, else it slips
+/// against T; it opens at once if N < 0.
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity);
 
-/// What follows when event function number `test` of a contact state has reached zero.
+/// Returns what follows when event function number `test` of a contact state has reached zero.
 Transition follow(const Flows& flows, const model::ContactPoint& contact, ContactMode mode, int test,
                   const Lanes& state, const SurfaceNumbers& surface);
 

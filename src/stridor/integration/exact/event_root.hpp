@@ -8,7 +8,7 @@ namespace stridor::integration {
 inline constexpr double endless_search = -1.0;  // the function is rounding: no interval of it can be decided
 inline constexpr double no_number = -2.0;       // a coefficient left double precision
 
-/// First tau in [0, 1] at which an event function stops being positive; `no_crossing` if it does not.
+/// Returns first tau in [0, 1] at which an event function stops being positive; `no_crossing` if it does not.
 ///
 /// `series` holds its coefficients over tau, of which the first `multiplicity` are zero but for rounding: the event
 /// that has just fired, divided out. `bernstein` is the quotient's Bernstein form of degree 7. Roots are isolated with

@@ -23,7 +23,7 @@ extern template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model
 template <int dofs>
 class SizedFlows {
 public:
-    /// Valid until the next call.
+    /// Returns the flows of these coordinates and laws, valid until the next call.
     const Flows& of(const ContactCoordinates<dofs>& coordinates, const model::FrictionLaw& friction,
                     double drive_frequency, const Kernel& loops) {
         const bool is_same =
@@ -54,7 +54,7 @@ struct SharedFlows {
     SizedFlows<2> of_2;
     SizedFlows<3> of_3;
 
-    /// Those of one size.
+    /// Returns those of one size.
     template <int dofs>
     SizedFlows<dofs>& of_size() {
         if constexpr (dofs == 2)

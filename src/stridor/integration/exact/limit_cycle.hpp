@@ -26,13 +26,13 @@ public:
     /// `velocity` [m/s] is the drive's, `rate` [1/s] makes positions comparable with velocities.
     CycleWatch(double velocity, double rate, int closed) : velocity_(velocity), rate_(rate), closed_(closed) {}
 
-    /// The contact enters a state.
+    /// Returns the contact enters a state.
     Finding note(double time, ContactMode mode, const Lanes& s);
 
-    /// Of the cycle found.
+    /// Returns the cycle that was found.
     const LimitCycle& cycle() const { return cycle_; }
 
-    /// [s] when the last whole period began.
+    /// Returns when the last whole period began [s].
     double period_begin() const { return watch_.found().first.time; }
 
 private:

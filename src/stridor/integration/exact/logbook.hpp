@@ -39,10 +39,10 @@ public:
     Sums& full(ContactMode mode) { return account_.full[static_cast<int>(mode)]; }
     Sums& part(ContactMode mode) { return account_.part[static_cast<int>(mode)]; }
 
-    /// The contact enters a state.
+    /// Notes that the contact enters a state.
     void enter(const Transition& next, double now);
 
-    /// The contact carries this normal force [N] where its state, or a span, ends.
+    /// Notes that the contact carries this normal force [N] where its state, or a span, ends.
     void press(double normal_force) { account_.largest_force = std::max(account_.largest_force, normal_force); }
 
     /// Hands the integrals of the span that ends here to the recorder.

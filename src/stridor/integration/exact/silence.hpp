@@ -20,7 +20,8 @@ public:
     /// `flow` is the slip state of steady sliding; `load_scale` F [N] and `velocity` V [m/s] are those of the run.
     Sliding(const Flow& flow, double load_scale, double velocity);
 
-    /// A proof that the contact slips for ever from this state on, with N > 0 and w != 0; nothing if there is none.
+    /// Returns a proof that the contact slips for ever from this state on, with N > 0 and w != 0; nothing if there is
+    /// none.
     std::optional<Silence> silence(const Lanes& s, double time) const;
 
     /// Adds the vibration of the next `duration` [s] to the account, if it is judged, and moves the state to its end.

@@ -78,7 +78,8 @@ struct Flows {
     Flow flow[contact_modes];
 };
 
-/// The body a degree of freedom belongs to: the rubbing one moves along and across the contact, with the first two.
+/// Returns the body a degree of freedom belongs to: the rubbing one moves along and across the contact, with the first
+/// two.
 constexpr int body_of(int dof) {
     return dof < 2 ? 0 : dof - 1;
 }
@@ -118,28 +119,30 @@ struct Kernel {
     /// Takes one whole step from s whatever the event functions say.
     void (*leap)(const Flow& flow, Lanes& s, Sums& sums);
 
-    /// Bernstein coefficients of the event functions over the step from s, without the root of the given multiplicity
-    /// at the beginning of the last one. Returns a set of bits: those of the functions that may come near zero.
+    /// Computes Bernstein coefficients of the event functions over the step from s, without the root of the given
+    /// multiplicity at the beginning of the last one. Returns a set of bits: those of the functions that may come near
+    /// zero.
     unsigned (*look)(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernstein);
 
-    /// The columns of a matrix from coefficients of a series: column j is the sum over k of what[k] series[k].at[j].
+    /// Computes the columns of a matrix from coefficients of a series: column j is the sum over k of what[k]
+    /// series[k].at[j].
     void (*combine)(const Lanes* what, const Lanes* series, int count, Matrix8& result);
 
-    /// The root of a series, its first `multiplicity` coefficients left out, in [from, to], where it falls;
+    /// Returns the root of a series, its first `multiplicity` coefficients left out, in [from, to], where it falls;
     /// `no_crossing` if it is still positive at `to`. Newton's steps from `start`, halved where they leave the bracket.
     double (*root)(const Lanes* series, int multiplicity, double from, double to, double start, Falling falls);
 
-    /// exp(A h tau) s.
+    /// Computes exp(A h tau) s.
     void (*move)(const Flow& flow, const Lanes& s, double tau, Lanes& result);
 
-    /// y = blocks s: 8 numbers per block.
+    /// Computes y = blocks s: 8 numbers per block.
     void (*apply)(const Matrix8* blocks, int count, const Lanes& s, Lanes* result);
 
     /// Adds a part of a step, from tau_0 to tau_1, with the weights and lengths of the quadrature already in it.
     void (*add_part)(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums);
 };
 
-/// The loops for a structure with so many degrees of freedom and a damped basis.
+/// Returns the loops for a structure with so many degrees of freedom and a damped basis.
 const Kernel& kernel(InstructionSet set, int dofs);
 
 }  // namespace stridor::integration

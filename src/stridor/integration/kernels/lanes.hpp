@@ -13,12 +13,12 @@ struct alignas(64) Lanes {
     double at[lanes];
 };
 
-/// How many of them hold so many numbers.
+/// Returns how many of them hold so many numbers.
 constexpr std::size_t registers_for(std::size_t count) {
     return (count + lanes - 1) / lanes;
 }
 
-/// One of the numbers in a row of registers.
+/// Returns one of the numbers in a row of registers.
 inline double& number_in(Lanes* row, std::size_t index) {
     return row[index / lanes].at[index % lanes];
 }

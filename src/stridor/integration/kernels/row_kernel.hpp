@@ -21,17 +21,17 @@ struct RowBlocks {
 /// The inner loops of Moreau's time stepping, compiled once per instruction set. All give the same bits: each number is
 /// computed by the same additions and multiplications in the same order, only more of them at a time.
 struct RowKernel {
-    /// partial[row][lane] = sum over blocks of numbers[block][row][lane] x[block][lane].
+    /// Computes partial[row][lane] = sum over blocks of numbers[block][row][lane] x[block][lane].
     void (*multiply)(const RowBlocks& rows, const double* x, double* partial);
 
-    /// sum[block][lane] = sum over rows of share[row] numbers[block][row][lane].
+    /// Computes sum[block][lane] = sum over rows of share[row] numbers[block][row][lane].
     void (*combine)(const RowBlocks& rows, const double* share, double* sum);
 
-    /// to -= share from, shape [size], a multiple of `row_lanes`.
+    /// Subtracts: to -= share from, shape [size], a multiple of `row_lanes`.
     void (*subtract)(const double* from, double share, double* to, std::size_t size);
 };
 
-/// The loops for an instruction set of this machine.
+/// Returns the loops for an instruction set of this machine.
 const RowKernel& row_kernel(InstructionSet set);
 
 }  // namespace stridor::integration

@@ -49,19 +49,19 @@ struct SeriesRoom {
 /// The inner loops of a Taylor block, compiled once per instruction set. All give the same bits: each number is
 /// computed by the same additions and multiplications in the same order, only more of them at a time.
 struct SeriesKernel {
-    /// The coefficients up to `order`, as `TaylorBlock` has them.
+    /// Computes the coefficients up to `order`, as `TaylorBlock` has them.
     void (*expand)(const SeriesProblem& problem, int order, const SeriesRoom& room);
 
-    /// values[place][mode] of so many coefficients, shape [count][mode], at several places.
+    /// Computes values[place][mode] of so many coefficients, shape [count][mode], at several places.
     void (*evaluate)(const Lanes* coefficients, std::size_t count, std::size_t modes, const BlockPlaces& places,
                      Lanes* values);
 
-    /// Two series of so many coefficients at one place, shape [mode].
+    /// Computes two series of so many coefficients at one place, shape [mode].
     void (*evaluate_state)(const Lanes* q, const Lanes* v, std::size_t count, std::size_t modes, double place,
                            Lanes* q_there, Lanes* v_there);
 };
 
-/// The loops for an instruction set of this machine.
+/// Returns the loops for an instruction set of this machine.
 const SeriesKernel& series_kernel(InstructionSet set = widest_instruction_set());
 
 }  // namespace stridor::integration

@@ -13,10 +13,10 @@
 /// Energies of a structure in the coordinates of its free modes, for every engine that works in them.
 namespace stridor::integration {
 
-/// Kinetic and elastic energy [J].
+/// Returns kinetic and elastic energy [J].
 double stored_energy(const ModalStructure& structure, std::span<const double> q, std::span<const double> v);
 
-/// Power [W] that the dashpots take.
+/// Returns the power [W] that the dashpots take.
 double dashpot_power(const ModalStructure& structure, std::span<const double> v);
 
 /// How far a run has moved its modes; shape [mode].

@@ -43,21 +43,22 @@ struct ContactRowPlan {
 };
 ContactRowPlan row_plan(const std::vector<ModalContact>& contacts);
 
-/// The normal or tangent [1/√kg] at a row, shape [mode], and the share of V(t) that the surface has along it [1].
+/// Returns the normal or tangent [1/√kg] at a row, shape [mode], and the share of V(t) that the surface has along it
+/// [1].
 std::span<const double> row_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row);
 double drive_share_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row);
 
-/// Sum of products [1], and that of their sizes: what rounding works on. Eight sums side by side that do not wait for
-/// each other become one at the end.
+/// Returns sum of products [1], and that of their sizes: what rounding works on. Eight sums side by side that do not
+/// wait for each other become one at the end.
 double dot(std::span<const double> a, std::span<const double> b);
 double dot_of_sizes(std::span<const double> a, std::span<const double> b);
 
-/// Elongation of a spring [m] from coordinates, and the sum of its terms' sizes, which rounding works on.
+/// Returns the elongation of a spring [m] from coordinates, and the sum of its terms' sizes, which rounding works on.
 double elongation(const ModalSpring& spring, std::span<const double> q);
 double elongation_size(const ModalSpring& spring, std::span<const double> q);
 
-/// Gap [m], its rate [m/s] and the slip velocity [m/s] of a contact, from coordinates or their rates and the surface's
-/// velocity [m/s].
+/// Returns the gap [m], its rate [m/s] and the slip velocity [m/s] of a contact, from coordinates or their rates and
+/// the surface's velocity [m/s].
 double gap(const ModalContact& contact, std::span<const double> q);
 double gap_velocity(const ModalContact& contact, std::span<const double> v);
 double slip_velocity(const ModalContact& contact, std::span<const double> v, double surface_velocity);
@@ -84,12 +85,12 @@ struct ModalStructure {
     bool is_damped_by_mode() const { return damping.size() == modes(); }
 };
 
-/// A structure in the coordinates of these modes alone, M-orthonormal: `shapes` [1/√kg], shape [dof][mode], with ω²
-/// [rad²/s²], rising.
+/// Returns a structure in the coordinates of these modes alone, M-orthonormal: `shapes` [1/√kg], shape [dof][mode],
+/// with ω² [rad²/s²], rising.
 ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd& shapes,
                         const Eigen::VectorXd& square_frequency);
 
-/// Those contacts as the structure's list numbers them, rising.
+/// Returns those contacts as the structure's list numbers them, rising.
 std::vector<std::size_t> numbered(const ModalStructure& structure, const std::vector<std::size_t>& contacts);
 
 /// Throws `Error` (input) where the mass matrix is not positive definite or a matrix is not symmetric.
@@ -98,10 +99,10 @@ ModalStructure modal_structure(const model::Structure& structure);
 /// Coordinates of displacements or velocities: Φ'M u.
 Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& structure, const Eigen::VectorXd& u);
 
-/// The numbers of a vector, filled up with zeros to a size.
+/// Returns the numbers of a vector, filled up with zeros to a size.
 std::vector<double> padded(const Eigen::VectorXd& x, std::size_t size);
 
-/// Are all of them numbers?
+/// Says whether all of them are finite numbers.
 bool is_finite(std::span<const double> q, std::span<const double> v);
 
 }  // namespace stridor::integration

@@ -29,13 +29,13 @@ public:
     /// `velocity` [m/s] is the surface's.
     LastingSet(const ModalStructure& structure, std::vector<ContactMode> set, double velocity);
 
-    /// What is known of each contact if the set holds now, at `time` [s], and each has been in its state since then
-    /// [s]; shape [contact] in the structure's own order. Nothing is known of the future of any but those whose margin
-    /// the forced part itself uses up if the set is not proven to last.
+    /// Returns what is known of each contact if the set holds now, at `time` [s], and each has been in its state since
+    /// then [s]; shape [contact] in the structure's own order. Nothing is known of the future of any but those whose
+    /// margin the forced part itself uses up if the set is not proven to last.
     std::vector<record::Outlook> outlooks(std::span<const double> q, std::span<const double> v, double time,
                                           std::span<const double> since) const;
 
-    /// The bounds of normal forces and slip velocities that hold from now on, if all contacts slip for ever and
+    /// Returns the bounds of normal forces and slip velocities that hold from now on, if all contacts slip for ever and
     /// something vibrates.
     std::optional<Silence> silence(std::span<const double> q, std::span<const double> v, double time) const;
 

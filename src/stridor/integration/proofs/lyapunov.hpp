@@ -46,7 +46,7 @@ class Lyapunov {
 public:
     explicit Lyapunov(const Eigen::MatrixXd& a);
 
-    /// X, symmetric. Not finite where two eigenvalues of A add up to zero.
+    /// Returns X, symmetric. It is not finite where two eigenvalues of A add up to zero.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& q) const;
 
 private:

@@ -23,7 +23,7 @@ struct StuckState {
     double since = 0.0;                 // [s] when it began to stick
 };
 
-/// Does a contact that sticks now stick for ever, if the drive goes on as it is?
+/// Says whether a contact that sticks now sticks for ever, if the drive goes on as it is.
 ///
 /// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive
 /// itself builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a

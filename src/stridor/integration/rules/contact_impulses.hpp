@@ -28,7 +28,7 @@ struct ContactImpulses {
     std::vector<double> slip_velocity;  // [m/s] w after it, shape [contact]
 };
 
-/// Plastic impact of several contacts:
+/// Returns the impulses of a plastic impact of several contacts:
 ///
 ///     (g', w)+ = (g', w) + W (P_n, P_t);   P_n >= 0, g'+ >= 0, one of them 0;
 ///     w+ = 0 with |P_t| <= limit P_n, or P_t = ratio(w+) P_n against w+

@@ -6,17 +6,17 @@
 
 namespace stridor::integration {
 
-/// The mode of a contact that slips one way.
+/// Returns the mode of a contact that slips one way.
 constexpr ContactMode slip_mode(model::Slip way) {
     return way == model::Slip::forward ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
-/// The way in which a contact slips that does.
+/// Returns the way in which a contact slips that does.
 constexpr model::Slip way_of(ContactMode mode) {
     return mode == ContactMode::slip_forward ? model::Slip::forward : model::Slip::backward;
 }
 
-/// The contact state of a mode.
+/// Returns the contact state of a mode.
 constexpr model::ContactState contact_of(ContactMode mode) {
     if (is_slip(mode)) return model::ContactState::slip;
     return mode == ContactMode::stick ? model::ContactState::stick : model::ContactState::separation;

@@ -10,8 +10,8 @@
 
 namespace stridor::integration {
 
-/// Contacts that friction presses together without end: those closed in the smallest set of contact modes that takes
-/// one of its possible modes for each contact (shape [contact][possible]; any contact may be open) and has
+/// Returns contacts that friction presses together without end: those closed in the smallest set of contact modes that
+/// takes one of its possible modes for each contact (shape [contact][possible]; any contact may be open) and has
 ///
 ///     det R'B <= 0
 ///
@@ -24,7 +24,7 @@ namespace stridor::integration {
 std::vector<std::size_t> pressed_contacts(const std::vector<ModalContact>& contacts, const Eigen::MatrixXd& compliance,
                                           const std::vector<std::vector<ContactMode>>& possible);
 
-/// All modes, of each contact that touches, else open alone.
+/// Returns all modes, of each contact that touches, else open alone.
 std::vector<std::vector<ContactMode>> modes_of_touching(const std::vector<bool>& touches);
 
 }  // namespace stridor::integration

@@ -17,8 +17,8 @@ namespace stridor::integration {
 /// that only fall make the search for a set of states end.
 enum class StickLimit { whole, fallen };
 
-/// Largest T/N [1] of a stuck contact, without sign, that keeps it from slipping that way; one that has fallen is that
-/// of the slip, and knows no rest. `grown` [1] is what rest has added to it.
+/// Returns largest T/N [1] of a stuck contact, without sign, that keeps it from slipping that way; one that has fallen
+/// is that of the slip, and knows no rest. `grown` [1] is what rest has added to it.
 double limit_of(const model::FrictionLaw& law, model::Slip way, StickLimit limit, double grown = 0.0);
 
 /// A contact in a trial of states: what its state makes of its push (forces or impulses) and of its rates.
@@ -45,7 +45,7 @@ struct ContactViolation {
     ContactMode mode = ContactMode::open;
 };
 
-/// The laws of a touching contact, the same for every engine with several contacts:
+/// Returns the laws of a touching contact, the same for every engine with several contacts:
 ///
 ///     open g' >= 0;   closed N >= 0;   slip: sign(w) is that of its state;   stick: |T| <= limit N
 ///
@@ -72,9 +72,9 @@ WorstContact worst_contact(const std::vector<ModalContact>& laws, const std::vec
     return worst;
 }
 
-/// All sets of contact modes that take one of its possible modes for each contact (shape [contact][possible]): those
-/// that change the fewest of the present modes first; likewise in the order in which the modes are listed. None if they
-/// are more than `most`: nobody waits for so many.
+/// Returns all sets of contact modes that take one of its possible modes for each contact (shape [contact][possible]):
+/// those that change the fewest of the present modes first; likewise in the order in which the modes are listed. None
+/// if they are more than `most`: nobody waits for so many.
 std::vector<std::vector<ContactMode>> contact_sets(const std::vector<std::vector<ContactMode>>& possible,
                                                    const std::vector<ContactMode>& present, std::size_t most = 65536);
 

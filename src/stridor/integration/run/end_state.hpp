@@ -53,7 +53,7 @@ public:
     Memory(EngineMemory& numbers, Way way) : numbers_(&numbers), way_(way) {}
 
     bool restores() const { return way_ == Way::restore; }
-    /// Has all been there that was asked for, and nothing else?
+    /// Says whether all was there that was asked for, and nothing else.
     bool is_complete() const { return is_good_ && (!restores() || at_ == numbers_->size()); }
 
     void operator()(double& number) {
@@ -70,7 +70,7 @@ public:
         is_good_ = is_good_ && std::abs(as_double) <= 0x1p53;
         if (is_good_) number = static_cast<Number>(static_cast<long>(as_double));
     }
-    /// Of an enumeration or a place in a list, which have so many values.
+    /// Passes an enumeration or a place in a list, which have so many values.
     template <typename Choice>
     void below(Choice& choice, std::size_t count) {
         auto number = static_cast<double>(choice);
@@ -83,7 +83,7 @@ public:
         for (double& number : each.at)
             (*this)(number);
     }
-    /// Of a list that has its size.
+    /// Passes the items of a list that has its size.
     template <typename Each>
     void operator()(std::vector<Each>& list) {
         for (Each& each : list)

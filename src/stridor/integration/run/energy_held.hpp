@@ -4,8 +4,8 @@
 
 namespace stridor::integration {
 
-/// The energy that rounding works on [J]: with every displacement `far` and velocity `fast` at its largest, signs left
-/// out,
+/// Returns the energy that rounding works on [J]: with every displacement `far` and velocity `fast` at its largest,
+/// signs left out,
 ///
 ///     1/2 far |K| far + 1/2 fast |M| fast + |f0| far + eps |f0|^2 / max |K|
 ///

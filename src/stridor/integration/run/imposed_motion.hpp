@@ -17,13 +17,13 @@ public:
     /// `step` [s] is h; `increment` alone needs it. `until` [s] is as far as the motion is asked for.
     ImposedMotion(const parameters::Drive& drive, double step, double until = 0.0);
 
-    /// V(t), as the drive describes it.
+    /// Returns V(t), as the drive describes it.
     const parameters::VelocityProfile& profile() const { return profile_; }
 
-    /// Velocity and acceleration at time t [s].
+    /// Returns velocity and acceleration at time t [s].
     model::SurfaceMotion at(double time) const;
 
-    /// x2((k+1) h) - x2(k h) [m].
+    /// Returns x2((k+1) h) - x2(k h) [m].
     double increment(long k) const;
 
 private:
@@ -36,8 +36,8 @@ private:
     std::vector<double> positions_;  // [m] x2 at the corners
 };
 
-/// The force of a drive by force at time t [s], in N: F cos(2 pi (f t + turns)), with the turns at the start. It grows
-/// by half a cosine over the ramp from the start on, so that nothing jumps. 0 of any other drive.
+/// Returns the force of a drive by force at time t [s], in N: F cos(2 pi (f t + turns)), with the turns at the start.
+/// It grows by half a cosine over the ramp from the start on, so that nothing jumps. 0 of any other drive.
 double imposed_force(const parameters::Drive& drive, double time);
 
 }  // namespace stridor::integration

@@ -22,7 +22,7 @@ struct InitialState {
     std::vector<double> friction_states{};  // [1] of laws that have one, shape [contact]; empty: 0
 };
 
-/// Does a given start have this contact open?
+/// Says whether a given start has this contact open.
 inline bool begins_open(const InitialState& start, std::size_t contact) {
     return !start.contacts.empty() && start.contacts[contact] == parameters::ContactStart::separation;
 }
@@ -35,8 +35,8 @@ struct Start {
     Handover* handover = nullptr;  // as that of `InitialState`
 };
 
-/// Displacement and velocity at t = 0 for a start (`parameters::Initial`), over a surface that moves with velocity V
-/// [m/s].
+/// Returns displacement and velocity at t = 0 for a start (`parameters::Initial`), over a surface that moves with
+/// velocity V [m/s].
 ///
 /// rest and stuck begin at the preloaded rest position, given where the start says, sliding at the equilibrium of
 /// steady sliding. Friction states begin there with those of a steady slip, else as given, or with 0. Several stuck

@@ -33,7 +33,7 @@ struct Outcome {
     double time = 0.0;  // [s] up to which the motion is known
 };
 
-/// Did it end with a verdict: completed or settled?
+/// Says whether it ended with a verdict: completed or settled.
 constexpr bool has_result(const Outcome& outcome) {
     return outcome.reason == Reason::completed || outcome.reason == Reason::settled;
 }
@@ -55,7 +55,7 @@ struct EnergyBalance {
     double held = 0.0;           // the largest that springs, masses and the preload held at a time, a bound
     double carried = 0.0;        // what the load would do while the fastest mode turns by a radian, were it not carried
 
-    /// The residual as a share of all energy that went in or out [1], the turnover.
+    /// Returns the residual as a share of all energy that went in or out [1], the turnover.
     ///
     /// Rounding makes 1e-16 of the energy held, whether any of it is turned over or not: a turnover below a thousandth
     /// of it counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of 1.
@@ -64,11 +64,11 @@ struct EnergyBalance {
     double relative_residual() const;
 };
 
-/// `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of one
-/// whose balance is no number: velocities may still be numbers where their squares no longer are.
+/// Returns `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of
+/// one whose balance is no number: velocities may still be numbers where their squares no longer are.
 Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, double most_unexplained);
 
-/// What the other terms of a balance leave over [J]: its residual.
+/// Returns what the other terms of a balance leave over [J]: its residual.
 double unexplained(const EnergyBalance& balance);
 
 /// A proof that a motion slips for ever: bounds that hold from `time` on.

@@ -28,7 +28,7 @@ public:
     /// `longest` is the most events of a period.
     explicit ReturnWatch(int longest) : longest_(longest) {}
 
-    /// An event happens. `distance(a, b)` is that of two states as a share of the velocities.
+    /// Returns an event happens. `distance(a, b)` is that of two states as a share of the velocities.
     template <typename Distance>
     Finding note(Event here, const Distance& distance) {
         if (!has_anchor_) {
@@ -41,10 +41,10 @@ public:
         return length_ == 0 ? note_first(std::move(here), distance) : note_second(std::move(here), distance);
     }
 
-    /// Has the motion returned once, and may be in a second equal period?
+    /// Says whether the motion has returned once, and may be in a second equal period.
     bool is_returning() const { return length_ > 0; }
 
-    /// Of the last cycle found.
+    /// Returns the last cycle that was found.
     const Return<Event>& found() const { return found_; }
 
 private:

@@ -10,8 +10,8 @@ inline constexpr double no_zero = 2.0;
 /// What the search came to where a coefficient left double precision; it lies below any zero.
 inline constexpr double no_polynomial = -1.0;
 
-/// First place in (0, reach] at which a polynomial that begins positive stops being so; 0 if it begins negative,
-/// `no_zero` if it stays positive. `reach` is at most 1.
+/// Returns first place in (0, reach] at which a polynomial that begins positive stops being so; 0 if it begins
+/// negative, `no_zero` if it stays positive. `reach` is at most 1.
 ///
 /// `c` are its coefficients. The first `dropped` of them are zero but for rounding, and their power is divided out.
 /// Certain: Bernstein's form bounds the polynomial on each part of the interval. Source: as `exact/event_root`.
@@ -22,7 +22,7 @@ double first_zero(std::span<const double> c, int dropped, double reach);
 /// a place up to which its term stays within `zero`.
 double late_zero(std::span<const double> c, double zero, double reach);
 
-/// Value of a polynomial at x.
+/// Returns the value of a polynomial at x.
 double value_of(std::span<const double> c, double x);
 
 }  // namespace stridor::integration

@@ -65,7 +65,7 @@ class Settling {
 public:
     Settling(const ModalStructure& structure, double step);
 
-    /// The contact's function has become zero.
+    /// Returns the contact's function has become zero.
     Settled fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function);
 
     /// Finds what the contacts do from their gaps and velocities: at a start, and where the drive has a corner.
@@ -75,26 +75,26 @@ public:
     /// Returns the normal impulses [N*s] that change the velocities so, shape [contact].
     std::vector<double> project(TaylorState& state, const SurfaceSeries& surface) const;
 
-    /// What is zero of the coefficients c of an event function, of a block that was expanded from the state.
+    /// Returns what is zero of the coefficients c of an event function, of a block that was expanded from the state.
     FunctionZero zero_of(const TaylorBlock& block, const TaylorState& state, std::size_t contact, std::size_t function,
                          const BlockSeries& c) const;
 
-    /// From now on flights and slips that would end within this share of a block are ended at once.
+    /// Ends at once, from now on, flights and slips that would end within this share of a block are ended at once.
     void end_within(double share) { soon_ = share; }
 
-    /// What impacts have taken and brought so far [J].
+    /// Returns what impacts have taken and brought so far [J].
     const EnergyBalance& losses() const { return losses_; }
 
-    /// What impacts have done to the contacts since this was called before, shape [contact].
+    /// Returns what impacts have done to the contacts since this was called before, shape [contact].
     std::vector<record::Load> take_impacts();
 
     /// Passes what an event leaves to the next one.
     void pass(Memory& pass) { pass(begins_), pass(soon_), pass(losses_), pass(completed_); }
 
-    /// Contacts that pile-ups have closed so far.
+    /// Returns contacts that pile-ups have closed so far.
     long completed() const { return completed_; }
 
-    /// After an event that ended as `pressed`: those contacts.
+    /// Returns the pressed contacts after an event that ended as `pressed`.
     const std::vector<std::size_t>& pressed() const { return pressed_; }
 
 private:
@@ -131,8 +131,8 @@ private:
     long completed_ = 0;
 };
 
-/// Coefficients of an event function over a block that was expanded for the set. `has_broken`: the limit of friction is
-/// that of the slip.
+/// Returns coefficients of an event function over a block that was expanded for the set. `has_broken`: the limit of
+/// friction is that of the slip.
 BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& block, std::size_t contact,
                          ContactMode mode, std::size_t function, bool has_broken = false);
 
@@ -156,23 +156,24 @@ inline constexpr double gap_rounding = 1e-12;       // [1] likewise, of gaps
 // is h W_tt c_m theta^(m+1)/(m+1) here, with m up to the order of the series
 inline constexpr double slip_per_friction = settling_order + 1;  // [1] of the roundings above
 
-/// Of the gap, and of what its rate changes in a step of time [s].
+/// Returns the size below which a gap is zero [m]: of rounding, and of what its rate changes in a step of time [s].
 inline double gap_zero(const ModalContact& c, const TaylorState& state, double step) {
     return gap_rounding * (dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap)) +
            term_rounding * step * dot_of_sizes(c.normal, state.v);
 }
 
-/// Of the slip velocity [m/s].
+/// Returns the size below which a slip velocity is zero [m/s].
 inline double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
     return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
 }
 
-/// What a contact does that is closed and has no slip velocity, if it does not slip already: it sticks, or may creep.
+/// Returns what a contact does that is closed and has no slip velocity, if it does not slip already: it sticks, or may
+/// creep.
 inline ContactMode resting_mode(const ModalContact& contact) {
     return has_friction_state(contact.friction) ? ContactMode::slip_forward : ContactMode::stick;
 }
 
-/// What a contact does that closes: it slips the way it moves, or rests.
+/// Returns what a contact does that closes: it slips the way it moves, or rests.
 inline ContactMode closed_mode(const ModalContact& contact, const TaylorState& state, const SurfaceSeries& surface) {
     const double w = slip_velocity(contact, state.v, surface[0]);
     return std::abs(w) > slip_zero(contact, state, surface) ? slip_mode(model::slip_of(w)) : resting_mode(contact);

@@ -21,7 +21,7 @@ using BlockSeries = std::array<double, block_order + 1>;
 /// Above this share of the first a last term is not rounding.
 inline constexpr double series_rounding = 1e-17;
 
-/// Values of a polynomial at several places at once.
+/// Returns values of a polynomial at several places at once.
 BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x);
 
 /// What each contact does, in the order of a `ModalStructure`.
@@ -67,20 +67,21 @@ public:
     void expand(std::span<const double> q, std::span<const double> v, std::span<const double> friction_states,
                 const SurfaceSeries& surface, int order = block_order);
 
-    /// The surface's velocity over the block that was expanded.
+    /// Returns the surface's velocity over the block that was expanded.
     const SurfaceSeries& surface() const { return surface_; }
 
-    /// Coefficients of the closed contact's forces on the structure [N]; zero if it is open. That of friction is zero
-    /// where it is a constant share of the other.
+    /// Returns coefficients of the closed contact's forces on the structure [N]; zero if it is open. That of friction
+    /// is zero where it is a constant share of the other.
     const BlockSeries& normal_force(std::size_t contact) const { return normal_[contact]; }
     const BlockSeries& friction_force(std::size_t contact) const { return friction_[contact]; }
 
-    /// Is the friction force of the closed contact a series of its own, and no constant share of the normal force?
+    /// Says whether the friction force of a closed contact is a series of its own, and no constant share of the normal
+    /// force.
     bool expands_friction(std::size_t contact) const {
         return (*set_)[contact] == ContactMode::stick || !is_state_wise(structure_.contacts[contact].friction);
     }
 
-    /// Those of the gap [m] and of the slip velocity [m/s], by sums over the modes.
+    /// Returns those of the gap [m] and of the slip velocity [m/s], by sums over the modes.
     BlockSeries gap(std::size_t contact) const;
     BlockSeries slip_velocity(std::size_t contact) const;
 
@@ -96,7 +97,7 @@ public:
     /// Returns the sum of the terms' sizes in the change of the gap over a block [m], contact forces included.
     double gap_change_scale(std::size_t contact) const;
 
-    /// State at a place in [0, 1]; shape [mode].
+    /// Computes the state at a place in [0, 1]; shape [mode].
     void state_at(double theta, std::span<double> q, std::span<double> v) const;
     void acceleration_at(double theta, std::span<double> a) const;
 
@@ -106,11 +107,12 @@ public:
     /// Velocities at several places at once, each computed as if it were alone; shape [place][mode].
     void velocities_at(const BlockPlaces& theta, std::vector<Lanes>& v) const;
 
-    /// Last place up to which the series is exact to rounding: 1 but for sets near a Painleve configuration.
+    /// Returns the last place up to which the series is exact to rounding: 1 but for sets near a Painleve
+    /// configuration.
     double reach() const;
 
-    /// First place, up to `reach`, at which a slip velocity leaves the stretch of speeds that its friction was expanded
-    /// for, or an elongation that of its spring; `reach` if none does.
+    /// Returns first place, up to `reach`, at which a slip velocity leaves the stretch of speeds that its friction was
+    /// expanded for, or an elongation that of its spring; `reach` if none does.
     double stretch_end(double reach) const;
 
 private:

@@ -17,12 +17,12 @@ public:
     /// Products of the rows `which` with x, shape [mode]; the others of `products`, shape [row], stay as they are.
     void multiply(const std::vector<std::size_t>& which, const std::vector<double>& x, std::vector<double>& products);
 
-    /// Sum of the rows `which` times their share, shape [row], into `sum`, shape [mode].
+    /// Adds the sum of the rows `which` times their share, shape [row], into `sum`, shape [mode].
     void combine(const std::vector<std::size_t>& which, const std::vector<double>& share, std::vector<double>& sum);
 
     const ContactRowPlan& plan() const { return plan_; }
 
-    /// As many numbers as x and sums must hold: the modes, filled up to whole blocks.
+    /// Returns how many numbers x and sums must hold: the modes, filled up to whole blocks.
     std::size_t padded_modes() const { return blocks_ * row_lanes; }
 
 private:

@@ -27,20 +27,22 @@ public:
     /// Begins with this b, shape [size], with the exchanges that were made.
     void set(const std::vector<double>& b);
 
-    /// x_k where k is exchanged, else y_k.
+    /// Returns x_k where k is exchanged, else y_k.
     double follows(std::size_t k) const { return follows_[k]; }
 
-    /// The diagonal entry by which an exchange would divide: that of W, or its inverse, with all exchanges so far.
+    /// Returns the diagonal entry by which an exchange would divide: that of W, or its inverse, with all exchanges so
+    /// far.
     double pivot(std::size_t k) const { return matrix_[k * stride_ + k]; }
 
     /// Exchanges y_k and x_k.
     void exchange(std::size_t k);
 
-    /// The entry of what follows at `row` per unit of what is kept at `column`: of W, or with all exchanges so far.
+    /// Returns the entry of what follows at `row` per unit of what is kept at `column`: of W, or with all exchanges so
+    /// far.
     double entry(std::size_t row, std::size_t column) const { return matrix_[column * stride_ + row]; }
 
-    /// x_to = share x_from + a new x_to from now on. Where x_to alone is exchanged that has no meaning. Costs an
-    /// exchange where x_from alone is, else next to nothing.
+    /// Shears: x_to = share x_from + a new x_to from now on. Where x_to alone is exchanged that has no meaning. Costs
+    /// an exchange where x_from alone is, else next to nothing.
     void shear(std::size_t from, std::size_t to, double share);
 
     /// Passes all of it: exchanges leave their rounding behind.

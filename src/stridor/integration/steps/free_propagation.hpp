@@ -24,8 +24,8 @@ public:
     /// Adds to their end what contact forces r [N/√kg] do in a step.
     void push(const std::vector<double>& r, std::vector<double>& q, std::vector<double>& v) const;
 
-    /// What constant contact forces change of the contacts' rates at the end of a step [m/s/N]: rows and columns as
-    /// `ContactRowPlan`.
+    /// Returns what constant contact forces change of the contacts' rates at the end of a step [m/s/N]: rows and
+    /// columns as `ContactRowPlan`.
     Eigen::MatrixXd response() const;
 
 private:

@@ -40,8 +40,8 @@ struct MasslessStructure {
 /// inertia is not held by stiffness or has dampers at rows without mass.
 MasslessStructure massless_structure(const model::Structure& structure, double above);
 
-/// Longest time step [s]: 2 over the highest frequency of the modes with all contacts held by their flexibility, the
-/// limit of the leapfrog scheme.
+/// Returns the longest time step [s]: 2 over the highest frequency of the modes with all contacts held by their
+/// flexibility, the limit of the leapfrog scheme.
 double longest_step(const MasslessStructure& structure);
 
 }  // namespace stridor::integration

@@ -15,8 +15,8 @@ struct Moreau {
     double step = 1e-6;  // [s] h
 };
 
-/// Longest time step [s] for a structure: half a period of its fastest mode, beyond which a push would move it the
-/// other way. Accuracy asks for far less.
+/// Returns the longest time step [s] for a structure: half a period of its fastest mode, beyond which a push would move
+/// it the other way. Accuracy asks for far less.
 double longest_step(const ModalStructure& structure);
 
 /// Solves the motion of a structure with many contacts by time steps: the free structure moves exactly, and contact

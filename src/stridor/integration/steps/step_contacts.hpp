@@ -37,16 +37,16 @@ public:
     /// false where no set of states obeys all laws, or friction presses a contact without end (Painleve).
     bool solve(const std::vector<double>& free_rates, const std::vector<char>& touches);
 
-    /// After a step without forces: contacts that friction presses without end, if that is why.
+    /// Returns the contacts that friction presses without end, if a step is without forces because of them.
     std::vector<std::size_t> pressed(const std::vector<char>& touches) const;
 
-    /// What rest has added to the contact's limit [1] from now on.
+    /// Sets what rest has added to the contact's limit [1] from now on.
     void grow(std::size_t contact, double by) { grown_[contact] = by; }
 
     const std::vector<ContactMode>& set() const { return set_; }
     double force(std::size_t row) const { return force_[row]; }  // [N] along a normal or tangent
     double rate(std::size_t row) const { return rate_[row]; }    // [m/s] likewise, at its end: of the gap, or of slip
-    /// [m/s] at its end: signed, or of two tangents its size.
+    /// Returns the slip velocity at its end [m/s]: signed, or of two tangents its size.
     double slip_velocity(std::size_t contact) const { return tried_[contact].slip_velocity; }
     /// Passes what a step leaves to the next one.
     void pass(Memory& pass) {

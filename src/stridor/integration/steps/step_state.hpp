@@ -66,24 +66,25 @@ struct StepState {
     /// Passes what is the same in all formulations.
     void pass(Memory& pass);
 
-    /// The modes of a vector that is filled up.
+    /// Returns the modes of a vector that is filled up.
     Eigen::Map<const Eigen::VectorXd> modes_of(const std::vector<double>& numbers) const {
         return {numbers.data(), static_cast<Eigen::Index>(modal.modes())};
     }
 
-    /// What the contacts carry, where one of them changes its state or a span ends.
+    /// Notes what the contacts carry, where one of them changes its state or a span ends.
     void press(const std::vector<double>& carried);
 
     /// Velocities [m/s], shape [channel], stand for the steps until the next ones.
     void watch(const Eigen::VectorXd& speed);
 
-    /// The dashpots take from the step that is done.
+    /// Notes what the dashpots take from the step that is done.
     void note_dashpots();
 
-    /// A contact enters a state at the step's begin, with this slip velocity and this rate of its gap [m/s].
+    /// Tells that a contact enters a state at the step's begin, with this slip velocity and this rate of its gap [m/s].
     void tell(std::size_t contact, ContactMode mode, double slip_velocity, double gap_velocity);
 
-    /// For how long [s] a contact has stuck at this instant, the time before the start included; 0 if it does not.
+    /// Returns for how long [s] a contact has stuck at this instant, the time before the start included; 0 if it does
+    /// not.
     double rested(std::size_t contact) const;
 
     /// Tells the forces of the next step how far the limits have grown by rest.
@@ -100,7 +101,7 @@ struct StepState {
     void sample(double at, const Eigen::VectorXd& u, const Eigen::VectorXd& speed, const Eigen::VectorXd& rate,
                 const std::vector<double>& gaps);
 
-    /// The balance of the run, of the energy that is stored now [J].
+    /// Returns the balance of the run, of the energy that is stored now [J].
     EnergyBalance balance(double stored) const;
 };
 

@@ -14,8 +14,8 @@ struct CaseChange {
     std::variant<double, std::string> value;  // [the field's unit], or as a user would write it: "20 N", "sinusoidal"
 };
 
-/// The case that `--set` would make of this one's file with all these changes at once; later ones win. Samples of a
-/// drive and matrices that came from files stay as they are: no file is read but one that a change names.
+/// Returns the case that `--set` would make of this one's file with all these changes at once; later ones win. Samples
+/// of a drive and matrices that came from files stay as they are: no file is read but one that a change names.
 ///
 /// Throws `Error` (input), without places, for what `read_case` refuses: names that are none, values out of their
 /// range, changes that leave something out or contradict what stays.

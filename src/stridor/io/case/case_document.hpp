@@ -12,8 +12,8 @@ enum class CaseDepth {
     whole_and_idle,  // and fields that would mean something with another choice
 };
 
-/// The document that a file of this case would be, with each number as it is and no places. Samples of a drive do not
-/// stand in it: whoever reads it hands them over, and the structure too where it was left out (`CaseReaders`).
+/// Returns the document that a file of this case would be, with each number as it is and no places. Samples of a drive
+/// do not stand in it: whoever reads it hands them over, and the structure too where it was left out (`CaseReaders`).
 TomlDocument document_of(const parameters::Case& c, CaseDepth depth = CaseDepth::fields);
 
 }  // namespace stridor::io

@@ -14,8 +14,8 @@ struct ReadyLaw {
     sweep::Study (*make)();
 };
 
-/// wiper-wet: a lip on wet glass, Stribeck's curve. weatherstrip-falling: a trailing lip on paint, a linear fall.
-/// seal-lip: a lip that stiffens as it is pressed.
+/// Returns the ready laws. wiper-wet: a lip on wet glass, Stribeck's curve. weatherstrip-falling: a trailing lip on
+/// paint, a linear fall. seal-lip: a lip that stiffens as it is pressed.
 std::span<const ReadyLaw> ready_laws();
 
 }  // namespace stridor::io

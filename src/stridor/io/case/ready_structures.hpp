@@ -13,8 +13,8 @@ struct ReadyStructure {
     parameters::Case (*make)();
 };
 
-/// chain: two equal blocks on a belt, whose slips and sticks have a closed form. string: a bowed string in Helmholtz'
-/// motion.
+/// Returns the ready structures. chain: two equal blocks on a belt, whose slips and sticks have a closed form. string:
+/// a bowed string in Helmholtz' motion.
 std::span<const ReadyStructure> ready_structures();
 
 }  // namespace stridor::io

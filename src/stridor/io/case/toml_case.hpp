@@ -65,18 +65,18 @@ parameters::Case read_case(const TomlDocument& document, const CaseReaders& read
 /// Reads a case from a file; "-" is standard input. Throws as above, and `Error` (io) for a file that cannot be read.
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
 
-/// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
-/// the chart, whose axes replace two of them.
+/// Returns the case a chart starts from, out of a document that is parsed already. Whether its values fit together is
+/// left to the chart, whose axes replace two of them.
 parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers = {});
 
-/// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and
-/// have a value that `stridor init` writes (with any other they are errors).
+/// Returns what reading a case leaves out and its user should know: keys that mean nothing for the kinds the file
+/// chooses, and have a value that `stridor init` writes (with any other they are errors).
 std::vector<base::Complaint> case_warnings(const TomlDocument& document);
 
 /// Puts the value of one entry into a case. Throws `Error` (input) with the entry's place.
 void assign(parameters::CaseToSet at, const parameters::Field& field, const TomlEntry& entry);
 
-/// Must a file say this, whenever it belongs to the case?
+/// Says whether a file must say this, whenever it belongs to the case.
 bool is_required(const parameters::Field& field);
 
 }  // namespace stridor::io

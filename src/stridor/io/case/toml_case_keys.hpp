@@ -20,9 +20,9 @@ std::vector<std::string> check_known(const DocumentView& view, Complaints& compl
 std::vector<std::string> check_complete(const parameters::Case& c, const DocumentView& view,
                                         const std::vector<std::string>& unread, Complaints& complaints);
 
-/// Does a key stand in the file for nothing, and without harm? It means nothing for the kinds that the file itself
-/// chooses (`of_file`), and its value is the default or the one that a case to start from has: who changes a kind by
-/// hand leaves such keys behind.
+/// Says whether a key stands in the file for nothing, and without harm. It means nothing for the kinds that the file
+/// itself chooses (`of_file`), and its value is the default or the one that a case to start from has: who changes a
+/// kind by hand leaves such keys behind.
 bool is_idle(parameters::CaseView of_file, const parameters::Field& field, const TomlEntry& entry);
 
 /// Complains of keys that mean nothing for this case and are not idle. A key of the file is held against the file's own

@@ -53,7 +53,7 @@ struct TomlDocument {
     std::string name;
     std::vector<TomlEntry> entries;
 
-    /// The entry that decides the value of a key, of several joints for one; nothing if the key is not there.
+    /// Returns the entry that decides the value of a key, of several joints for one; nothing if the key is not there.
     const TomlEntry* find(std::string_view key, std::size_t joint = 0) const;
 };
 
@@ -70,15 +70,15 @@ struct DocumentView {
 /// Throws `Error` (input) with the places for text that is not TOML and duplicate keys, or for an override without "=".
 TomlDocument parse_toml(const TomlSource& source);
 
-/// One override taken apart; its key may be any spelling of `parameters::field_named`, and is the full one in the
-/// entry. Throws `Error` (input) for text without "=" or a key, with control characters, or that is no UTF-8, and for a
-/// short name of several keys.
+/// Returns one override taken apart; its key may be any spelling of `parameters::field_named`, and is the full one in
+/// the entry. Throws `Error` (input) for text without "=" or a key, with control characters, or that is no UTF-8, and
+/// for a short name of several keys.
 TomlEntry parse_override(const std::string& text);
 
-/// The items of a list that an override writes as "going,coming", or as TOML does.
+/// Returns the items of a list that an override writes as "going,coming", or as TOML does.
 std::vector<std::string> listed(std::string text);
 
-/// "a number", "text", "a list", "a list of numbers", "a matrix", "a section" or the name of an unfit type.
+/// Returns "a number", "text", "a list", "a list of numbers", "a matrix", "a section" or the name of an unfit type.
 std::string_view type_name(const TomlValue& value);
 
 /// Returns the error with the place of a key, and with its name if the error does not name it.

@@ -15,7 +15,7 @@ struct JointsDocument {
     TomlDocument document;
 };
 
-/// Does a file list its joints, as `[[joint]]`?
+/// Says whether a file lists its joints, as `[[joint]]`.
 bool lists_joints(const TomlDocument& document);
 
 /// Takes such a file apart. An override of "joint.NAME.key" is that joint's; one of "joint.key" or "contact.key" is

@@ -19,13 +19,13 @@
 ///     mu_d = [0.7, 0.9, 1.1]
 namespace stridor::io {
 
-/// Does a key stand in the table? temperature.value is a field of its own.
+/// Says whether a key stands in the table. temperature.value is a field of its own.
 bool is_temperature_list(std::string_view key);
 
-/// Does a document have a table, whole or not?
+/// Says whether a document has a table, whole or not.
 bool has_temperature_list(const TomlDocument& document);
 
-/// The list that a property follows; nullptr if it follows none.
+/// Returns the list that a property follows; nullptr if it follows none.
 const TomlEntry* find_temperature_list(const DocumentView& document, std::string_view key);
 
 /// A property of which something is not known: of one of several joints, or of what all share.

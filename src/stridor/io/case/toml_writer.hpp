@@ -21,19 +21,20 @@ struct TomlOptions {
     std::string heading;  // lines put at the top as comments; may be empty
 };
 
-/// A case as a TOML file, generated from the field table: every key that belongs to it, quantities with their units.
-/// What follows the temperature stands in [temperature] alone.
+/// Returns a case as a TOML file, generated from the field table: every key that belongs to it, quantities with their
+/// units. What follows the temperature stands in [temperature] alone.
 ///
 /// Reading it back gives a case with an identical `parameters::canonical_text`, unless matrices were left out.
 std::string case_toml(const parameters::Case& c, const TomlOptions& options = {});
 
-/// A chart: the case's sections and [chart]. Reading it back gives the same `sweep::canonical_text`.
+/// Returns a chart: the case's sections and [chart]. Reading it back gives the same `sweep::canonical_text`.
 std::string study_toml(const sweep::Study& study, const TomlOptions& options = {});
 
-/// One key with a value as a file has it: "preload = "20 N"". A file's name that is not known yet is "velocity.csv".
+/// Returns one key with a value as a file has it: "preload = "20 N"". A file's name that is not known yet is
+/// "velocity.csv".
 std::string toml_line(parameters::CaseView at, const parameters::Field& field);
 
-/// Which values a field takes, in words: "N, above 0", "\"rest\", \"stuck\" or \"sliding\"", "text".
+/// Returns which values a field takes, in words: "N, above 0", "\"rest\", \"stuck\" or \"sliding\"", "text".
 std::string describe_values(const parameters::Field& field);
 
 }  // namespace stridor::io

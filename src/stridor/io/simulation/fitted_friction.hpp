@@ -55,13 +55,13 @@ std::string pair_rows(const FrictionFitTexts& texts, const PairConditions& condi
 std::string pair_rows_of_law(const FrictionFitTexts& texts, const PairConditions& conditions, const std::string& law,
                              const std::function<void(const std::string&)>& note);
 
-/// "stridor.friction-fit/1": runs, laws with their numbers and intervals, what the data bear, the points; `law` is the
-/// place of the law that was asked for.
+/// Returns "stridor.friction-fit/1": runs, laws with their numbers and intervals, what the data bear, the points; `law`
+/// is the place of the law that was asked for.
 std::string friction_fit_json(const FittedFriction& fitted, std::size_t law);
 
-/// The text of a case with a fitted law, to four digits, of all its joints or contacts. A law over the temperature has
-/// its numbers in [temperature]; throws `Error` (input) where such a table stands there already, and for rows over the
-/// speed.
+/// Returns the text of a case with a fitted law, to four digits, of all its joints or contacts. A law over the
+/// temperature has its numbers in [temperature]; throws `Error` (input) where such a table stands there already, and
+/// for rows over the speed.
 std::string case_with_law(parameters::Case c, const FittedFriction& fitted, std::size_t law);
 
 }  // namespace stridor::io

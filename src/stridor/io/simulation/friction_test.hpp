@@ -25,7 +25,7 @@ struct FrictionTest {
     std::string condition;         // of a standard test, in words; may be empty
 };
 
-/// "stridor.friction/1": coefficients and drops of a friction trace.
+/// Returns "stridor.friction/1": coefficients and drops of a friction trace.
 std::string friction_json(const FrictionTest& test, const analysis::FrictionTrace& trace);
 
 /// A recording and what is known of it, as a command line says it; quantities carry their units.
@@ -82,9 +82,9 @@ std::string pair_row_opening(const PairConditions& conditions, const std::string
 /// `case_with_friction` does.
 std::string pair_row(const MeasuredFriction& measured, const PairConditions& conditions);
 
-/// The text of a case with the measured coefficients, to four digits, of all its joints or contacts; the static one is
-/// the kinetic one where none was to be seen. Throws `Error` (input) where nothing slides or they come out the wrong
-/// way round.
+/// Returns the text of a case with the measured coefficients, to four digits, of all its joints or contacts; the static
+/// one is the kinetic one where none was to be seen. Throws `Error` (input) where nothing slides or they come out the
+/// wrong way round.
 std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured);
 
 }  // namespace stridor::io

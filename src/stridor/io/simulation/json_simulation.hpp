@@ -15,21 +15,21 @@
 /// NaN and infinities are null.
 namespace stridor::io {
 
-/// A case alone, its sections as objects: {"title": ..., "joint": {"mass": 0.1, ...}, ...};
+/// Returns a case alone, its sections as objects: {"title": ..., "joint": {"mass": 0.1, ...}, ...};
 /// only keys that belong to it.
 std::string case_json(const parameters::Case& c);
 
-/// "stridor.simulation/1": case, engine, outcome, energy balance and a verdict per phase.
+/// Returns "stridor.simulation/1": case, engine, outcome, energy balance and a verdict per phase.
 ///
 /// `verdicts` is empty for a run that has no result; the outcome then says why.
 std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
                             std::span<const classification::Verdict> verdicts);
 
-/// "stridor.stability/1": case and, per direction, kind, growth, frequency and modes, the same at each point along the
-/// parameter, and the boundaries between kinds.
+/// Returns "stridor.stability/1": case and, per direction, kind, growth, frequency and modes, the same at each point
+/// along the parameter, and the boundaries between kinds.
 std::string stability_json(const analysis::StabilityScan& scan);
 
-/// The records that these documents are made of and whose values have units, for the types of the page.
+/// Returns the records that these documents are made of and whose values have units, for the types of the page.
 std::vector<DescribedRecord> simulation_records();
 
 }  // namespace stridor::io

@@ -33,7 +33,7 @@ struct RigRisk {
 RigRisk rig_risk(const FrictionFitTexts& texts, const std::vector<std::string>& ranges,
                  const std::function<void(const std::string&)>& note);
 
-/// "stridor.friction-risk/1": figures, ranks and number of each run, the scales, the model's category.
+/// Returns "stridor.friction-risk/1": figures, ranks and number of each run, the scales, the model's category.
 std::string rig_risk_json(const RigRisk& risk);
 
 }  // namespace stridor::io

@@ -63,21 +63,21 @@ struct TraceArray {
 /// Shows all columns of numbers of a trace, in the order of files. Those of contacts have rows where there are several.
 void visit_arrays(const record::Trace& trace, const std::function<void(TraceArray&)>& use);
 
-/// The states of the contacts as numbers of `model::contact_state_names`; shape [contact][sample].
+/// Returns the states of the contacts as numbers of `model::contact_state_names`; shape [contact][sample].
 std::vector<signed char> states_of(const record::Trace& trace);
 
 // Motions as CSV text, in the form of all our tables (base/csv_text.hpp). Nothing in it changes between two runs of
 // the same case.
 
-/// "stridor.trace/1": a row per sample, the columns of record/trace.hpp and the state of each contact. `interval` [s]
-/// is the one that was asked for; a trace of one sample has no other.
+/// Returns "stridor.trace/1": a row per sample, the columns of record/trace.hpp and the state of each contact.
+/// `interval` [s] is the one that was asked for; a trace of one sample has no other.
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval);
 
-/// "stridor.history/1": a row per stay of a contact in one state; with several contacts the number of the contact, from
-/// 1, stands first.
+/// Returns "stridor.history/1": a row per stay of a contact in one state; with several contacts the number of the
+/// contact, from 1, stands first.
 std::string history_csv(const parameters::Case& c, const std::vector<record::ContactHistory>& histories);
 
-/// A trace and the contact histories of a run, as far as they were kept: dimensions time, dof and interval;
+/// Writes a trace and the contact histories of a run, as far as they were kept: dimensions time, dof and interval;
 /// displacement, velocity and acceleration as (dof, time), forces, gap and contact state as (time), or (contact, time)
 /// if there are several contacts, the histories' stays as interval_*(interval). The kind of file is that of charts
 /// (io/chart/chart_netcdf.hpp). Throws `Error` (io).

@@ -38,12 +38,12 @@ std::vector<std::string> differing_channels(const SoundReport& report);
 /// reasons where they differ.
 ClassifiedRecording classified(const std::string& file, const SoundReport& report);
 
-/// "stridor.classified/1": a member of `recordings` per row, `error` in place of the verdict where nothing could be
-/// heard; thresholds and units.
+/// Returns "stridor.classified/1": a member of `recordings` per row, `error` in place of the verdict where nothing
+/// could be heard; thresholds and units.
 std::string classified_json(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds);
 
-/// "stridor.classified/1" as a table: a row per recording; where nothing could be heard all is empty but `file` and
-/// `error`. Thresholds other than the usual ones stand in its first line.
+/// Returns "stridor.classified/1" as a table: a row per recording; where nothing could be heard all is empty but `file`
+/// and `error`. Thresholds other than the usual ones stand in its first line.
 std::string classified_csv(std::span<const ClassifiedRecording> rows, const parameters::SoundThresholds& thresholds);
 
 }  // namespace stridor::io

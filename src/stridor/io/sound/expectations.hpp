@@ -7,8 +7,8 @@
 
 namespace stridor::io {
 
-/// The table of a folder of recordings: the file `labels`, or, where that is empty, `expected.csv`, else the first
-/// table of `README.md` that has the columns `file` and `expected`. The columns `source` or `repository`, and
+/// Returns the table of a folder of recordings: the file `labels`, or, where that is empty, `expected.csv`, else the
+/// first table of `README.md` that has the columns `file` and `expected`. The columns `source` or `repository`, and
 /// `confidence` ("low" is not sure), are read where they are; others are not looked at.
 ///
 /// "squeak or creak" and "squeak|creak" accept both; what stands behind a comma is a remark ("squeal, near squeak"

@@ -27,8 +27,8 @@ struct HearingReport {
     std::vector<hearing::HeardRecording> recordings{};
 };
 
-/// The built-in charts of a set ("paper", "soft", or "all"), their cases changed by overrides ("KEY=VALUE"), with no
-/// sounds yet. Throws `Error` (input) for an override that does not fit.
+/// Returns the built-in charts of a set ("paper", "soft", or "all"), their cases changed by overrides ("KEY=VALUE"),
+/// with no sounds yet. Throws `Error` (input) for an override that does not fit.
 std::vector<HeardChart> built_in_charts(std::string_view set, const std::vector<std::string>& overrides);
 
 /// Counts the sounds of all charts, one chart after the other, by their indices within each.
@@ -40,15 +40,15 @@ classification::Confusion perturbed_confusion(const HearingReport& report, std::
 /// Counts the sounds of the charts of one set.
 classification::Confusion confusion(const HearingReport& report, sweep::PlaneSet set);
 
-/// The sets that the report has charts of, in the order of `sweep::PlaneSet`.
+/// Returns the sets that the report has charts of, in the order of `sweep::PlaneSet`.
 std::vector<sweep::PlaneSet> sets_of(const HearingReport& report);
 
-/// "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and after
-/// each perturbation, and the recordings; thresholds.
+/// Returns "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and
+/// after each perturbation, and the recordings; thresholds.
 std::string hearing_json(const HearingReport& report);
 
-/// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so,
-/// and the verdicts by ear after each perturbation (empty where it was not perturbed), and the chart's name.
+/// Returns "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it
+/// sounds so, and the verdicts by ear after each perturbation (empty where it was not perturbed), and the chart's name.
 std::string hearing_csv(const HearingReport& report);
 
 }  // namespace stridor::io

@@ -8,8 +8,8 @@
 
 namespace stridor::io {
 
-/// "stridor.compare/1": each sound with where it is from, its categories and figures, and the distances of all pairs
-/// with what they come from.
+/// Returns "stridor.compare/1": each sound with where it is from, its categories and figures, and the distances of all
+/// pairs with what they come from.
 std::string compare_json(std::span<const classification::ComparedSound> sounds);
 
 /// A recording, a chart, and the chart's cells that sound most like it.
@@ -24,8 +24,8 @@ struct MatchReport {
     hearing::SoundSearchResult result{};
 };
 
-/// "stridor.match/1": the recording's figures, and of each match the cell, its categories and figures, the distance and
-/// what it comes from.
+/// Returns "stridor.match/1": the recording's figures, and of each match the cell, its categories and figures, the
+/// distance and what it comes from.
 std::string match_json(const MatchReport& report);
 
 }  // namespace stridor::io

@@ -25,11 +25,11 @@ struct SoundReport {
     std::size_t loudest = 0;  // the channel with the greatest level, whose verdict is the recording's
 };
 
-/// "stridor.classify/1": category of the recording and of each channel, its shares, and each segment with figures,
-/// margins and reasons; thresholds and units.
+/// Returns "stridor.classify/1": category of the recording and of each channel, its shares, and each segment with
+/// figures, margins and reasons; thresholds and units.
 std::string classify_json(const SoundReport& report);
 
-/// "stridor.analyse/1": levels, spectrum, peaks, octave, third-octave and named bands and segments per channel.
+/// Returns "stridor.analyse/1": levels, spectrum, peaks, octave, third-octave and named bands and segments per channel.
 std::string analyse_json(const SoundReport& report);
 
 // The verdict by ear as the noise library keeps it.
@@ -37,8 +37,8 @@ std::string analyse_json(const SoundReport& report);
 /// So many segments of a recording are kept, the loudest: hours of creaking fill no library.
 inline constexpr std::size_t most_kept_segments = 200;
 
-/// "stridor.verdict/1": who judged, by which thresholds, and the verdict of the report's loudest channel, whose number
-/// in the file is `channel`, from 1; with the figures that went into the entry beside it.
+/// Returns "stridor.verdict/1": who judged, by which thresholds, and the verdict of the report's loudest channel, whose
+/// number in the file is `channel`, from 1; with the figures that went into the entry beside it.
 std::string verdict_json(const SoundReport& report, std::size_t channel,
                          std::span<const noise_library::Figure> figures);
 
@@ -52,8 +52,8 @@ struct KeptVerdict {
 /// Reads it back; nothing for what is no such verdict.
 std::optional<KeptVerdict> kept_verdict(std::string_view text);
 
-/// An entry without its verdict: without the category, and without the figures that the verdict brought, unless they
-/// were changed since.
+/// Returns an entry without its verdict: without the category, and without the figures that the verdict brought, unless
+/// they were changed since.
 noise_library::Entry without_verdict(noise_library::Entry entry);
 
 }  // namespace stridor::io

@@ -34,7 +34,7 @@ struct SoundInfo {
     double full_scale = 1.0;  // [unit] the largest number of the file
 };
 
-/// "stridor.listen/1": the case and what was made of it.
+/// Returns "stridor.listen/1": the case and what was made of it.
 std::string listen_json(const parameters::Case& c, const SoundInfo& sound);
 
 /// The texts of `stridor listen`; quantities carry their units.
@@ -63,25 +63,28 @@ struct ListeningChoice {
 /// that a cell names is that of the texts unless they have their own. Throws `Error` (input).
 ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source);
 
-/// Which motion the texts ask for.
+/// Returns which motion the texts ask for.
 hearing::AskedMotion asked_motion(const ListeningTexts& texts);
 
-/// How that motion of the case becomes a sound. Throws `Error` (input) for what is no sound, or none of this motion.
+/// Returns how that motion of the case becomes a sound. Throws `Error` (input) for what is no sound, or none of this
+/// motion.
 sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c,
                                                const hearing::HeardMotion& motion);
 
-/// What the largest number of the file stands for [m/s or m/s^2]: normalised, the loudest sample lies at -1 dBFS;
-/// absolute, it is 10 m/s or 100 km/s^2, or as the texts say. Throws `Error` (input) where the sound would be clipped.
+/// Returns what the largest number of the file stands for [m/s or m/s^2]: normalised, the loudest sample lies at -1
+/// dBFS; absolute, it is 10 m/s or 100 km/s^2, or as the texts say. Throws `Error` (input) where the sound would be
+/// clipped.
 double listening_full_scale(const ListeningTexts& texts, const hearing::RenderedSound& sound);
 
-/// What was made of which motion; file and player are left to the caller. Throws as `listening_full_scale` does.
+/// Returns what was made of which motion; file and player are left to the caller. Throws as `listening_full_scale`
+/// does.
 SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice, const hearing::HeardMotion& motion,
                      const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound);
 
-/// Whose motion was made audible: "joint velocity along x".
+/// Returns whose motion was made audible: "joint velocity along x".
 std::string motion_words(const SoundInfo& info);
 
-/// What a file of it says in its description.
+/// Returns what a file of it says in its description.
 std::string sound_description(const SoundInfo& info, const parameters::Case& c);
 
 /// Writes the heard stretches of a simulated motion as WAV of 24 bits, `rate` samples a second [Hz], the loudest at -1

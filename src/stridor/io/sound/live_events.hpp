@@ -62,7 +62,7 @@ std::string gap_event(const LiveGap& gap, double begin);
 std::string take_event(const hearing::LiveTake& take, const SoundReport& report, double begin);
 std::string end_event(const LiveSum& sum, double begin);
 
-/// The word for the end of a take: "gap", "full", "end".
+/// Returns the word for the end of a take: "gap", "full", "end".
 std::string_view take_end_name(hearing::TakeEnd why);
 
 }  // namespace stridor::io

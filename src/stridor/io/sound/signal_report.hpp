@@ -37,7 +37,7 @@ public:
 
     /// Frames that were read so far [1].
     std::uint64_t frames() const { return frames_; }
-    /// Largest magnitude of each channel so far.
+    /// Returns largest magnitude of each channel so far.
     const std::vector<double>& peaks() const { return peaks_; }  // [unit] shape [channel]
 
 private:
@@ -49,10 +49,10 @@ private:
 /// Reads a recording to its end. Throws what reading throws.
 SignalSummary summary_of(recordings::SignalFile& file);
 
-/// "option", "sidecar", "description", "file" or "none".
+/// Returns "option", "sidecar", "description", "file" or "none".
 std::string_view name(recordings::Calibration calibration);
 
-/// "stridor.convert/1": the recording (rate, frames, duration, channels, notes, metadata) and,
+/// Returns "stridor.convert/1": the recording (rate, frames, duration, channels, notes, metadata) and,
 /// if it was written, the output.
 std::string convert_json(const SignalSummary& summary, const std::optional<SignalOutput>& output);
 
@@ -65,10 +65,11 @@ struct SignalTarget {
     std::string bits{};    // of a WAV's samples: "16", "24", "float"; empty: as they came, or float
 };
 
-/// The format by the target's own word or the ending of its name. Throws `Error` (input) for an unknown ending.
+/// Returns the format by the target's own word or the ending of its name. Throws `Error` (input) for an unknown ending.
 std::string format_of(const SignalTarget& target);
 
-/// The next of 1, 2, 5, 10, ... above a peak, so that whole numbers end one step below full scale; 1 for silence.
+/// Returns the next of 1, 2, 5, 10, ... above a peak, so that whole numbers end one step below full scale; 1 for
+/// silence.
 double round_full_scale(double peak);
 
 /// Writes a recording. A sound keeps its own full scale; other measurements get one they fit in.

@@ -14,7 +14,7 @@ SmoothStretch speed_stretch(const FrictionLaw& law, Slip way, double speed, doub
 /// Returns over what change from a speed of slip [m/s] the last terms of a series tell whether it has converged.
 double told_change(const FrictionLaw& law, double speed);
 
-/// Can the law's resistance be expanded, whatever the speed of slip?
+/// Says whether the law's resistance can be expanded, whatever the speed of slip.
 bool has_jet(const FrictionLaw& law);
 
 /// The power series of a law's resistance [1] along one of the speed of slip, one coefficient after the other.

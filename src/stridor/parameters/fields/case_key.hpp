@@ -10,8 +10,8 @@
 /// of them at once, and of the only joint where there is one.
 namespace stridor::parameters {
 
-/// The field that a key is about, whosever it is: of "joint.lip2.contact.preload" that of "contact.preload"; nothing
-/// for no key.
+/// Returns the field that a key is about, whosever it is: of "joint.lip2.contact.preload" that of "contact.preload";
+/// nothing for no key.
 const Field* field_of(std::string_view key);
 
 /// Returns the full key that a name means, in any spelling of `field_named`; below a joint's name too: "joint.lip2.F"
@@ -25,11 +25,11 @@ std::string quantity_key_called(std::string_view name);
 /// Throws `Error` (input) without a place for a key of a joint that the case does not have.
 void expect_joint_of(const Case& c, std::string_view key);
 
-/// The keys that this one sets, as `canonical_text` writes them: of a key of [joint] or [contact] where there are
-/// several joints, that of each; else one. The joint must be there (`expect_joint_of`).
+/// Returns the keys that this one sets, as `canonical_text` writes them: of a key of [joint] or [contact] where there
+/// are several joints, that of each; else one. The joint must be there (`expect_joint_of`).
 std::vector<std::string> single_keys(const Case& c, std::string_view key);
 
-/// Do two keys set something in common?
+/// Says whether two keys set something in common.
 bool overlap(const Case& c, std::string_view a, std::string_view b);
 
 /// A field as a case has it: each of several joints has its own.
@@ -39,30 +39,31 @@ struct FieldOfCase {
     std::string key;  // "joint.lip2.contact.preload"
 };
 
-/// All fields of a case, whether they mean anything for it or not: joint by joint, then those that are shared.
+/// Returns all fields of a case, whether they mean anything for it or not: joint by joint, then those that are shared.
 std::vector<FieldOfCase> fields_of(const Case& c);
 
-/// Keys of what belongs to a case, each of several joints with its own.
+/// Returns keys of what belongs to a case, each of several joints with its own.
 std::vector<std::string> keys_of(const Case& c);
-/// Of these the quantities.
+/// Returns the keys of its quantities.
 std::vector<std::string> quantity_keys(const Case& c);
 
-/// Does it mean anything for this case, or for one of the joints that it is about?
+/// Says whether a key means anything for this case, or for one of the joints that it is about.
 bool belongs(const Case& c, std::string_view key);
 
-/// The value of a quantity in its unit; of several joints with different ones that of the first (`has_one_value`).
+/// Returns the value of a quantity in its unit; of several joints with different ones that of the first
+/// (`has_one_value`).
 double get_quantity(const Case& c, std::string_view key);
 
-/// Is it the same for all joints that the key is about?
+/// Says whether the value is the same for all joints that the key is about.
 bool has_one_value(const Case& c, std::string_view key);
 
 /// Sets a quantity as the other `set_quantity` does, of each joint that the key is about.
 void set_quantity(Case& c, std::string_view key, double value);
 
-/// `range_of` by key.
+/// Returns `range_of` by key.
 Range range_of(const Case& c, std::string_view key);
 
-/// `value_text` by key; of joints with different values all of them, in the order of the joints.
+/// Returns `value_text` by key; of joints with different values all of them, in the order of the joints.
 std::string value_text(const Case& c, std::string_view key);
 
 }  // namespace stridor::parameters

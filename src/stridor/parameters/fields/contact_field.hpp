@@ -33,18 +33,18 @@ struct ContactField {
     std::string_view only_beside{};          // key of the direction without which it means nothing
 };
 
-/// All of them, in the order files list them.
+/// Returns all of them, in the order files list them.
 std::span<const ContactField> contact_fields();
 /// Those that came later stand behind them: what was kept of a contact without any keeps its hash and its bytes.
 inline constexpr std::size_t first_contact_fields = 12;
 
-/// The one with this key; it must be there.
+/// Returns the one with this key; it must be there.
 const ContactField& contact_field(std::string_view key);
 
-/// Do documents show it? Neither directions nor what belongs to one.
+/// Says whether documents show a field: neither directions nor what belongs to one.
 bool is_shown(const ContactField& field);
 
-/// Is it what a contact has that does not name it?
+/// Says whether a value is what a contact has that does not name it.
 bool is_usual(const OwnContact& contact, const ContactField& field);
 
 /// What a contact has of it: nothing, text, a number, or several.

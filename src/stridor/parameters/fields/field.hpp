@@ -80,25 +80,26 @@ struct Field {
     bool (*belongs)(CaseView);  // does it mean anything for this case? (drive.velocity only with a constant drive)
 };
 
-/// All fields, sections together, in the order files list them.
+/// Returns all fields, sections together, in the order files list them.
 std::span<const Field> fields();
 
-/// Is it a number from which a builder makes a structure? A case file has it among the lines of [structure].
+/// Says whether it is a number from which a builder makes a structure. A case file has it among the lines of
+/// [structure].
 bool is_of_builder(const Field& field);
 
-/// Is it a part of a given start, which is 0 where it is not said?
+/// Says whether it is a part of a given start, which is 0 where it is not said.
 bool is_of_start(const Field& field);
 
-/// The field with key "section.name" (or "title"); nothing if there is none.
+/// Returns the field with key "section.name" (or "title"); nothing if there is none.
 const Field* find_field(std::string_view key);
 
-/// "section.name", or the name alone for a field without a section.
+/// Returns "section.name", or the name alone for a field without a section.
 std::string key_of(const Field& field);
 
-/// Keys of the fields that are quantities, i.e. can be an axis.
+/// Returns keys of the fields that are quantities, i.e. can be an axis.
 std::vector<std::string> quantity_keys();
 
-/// The key most like a misspelt one; empty if none is near.
+/// Returns the key most like a misspelt one; empty if none is near.
 std::string nearest_key(std::string_view key);
 
 /// Returns the unit of a quantity; "1" for a field without one.
@@ -119,19 +120,19 @@ std::vector<Home> homes_of(CaseView at, const Field& field);
 /// (temperature.value).
 std::string home_of(CaseView at, const Field& field);
 
-/// Is its value the name of a file that is opened?
+/// Says whether its value is the name of a file that is opened.
 bool names_file(const Field& field);
 
-/// The value of a quantity in its unit. The field must be a quantity.
+/// Returns the value of a quantity in its unit. The field must be a quantity.
 double get_quantity(CaseView at, const Field& field);
 
-/// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
+/// Returns what a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
 Range range_of(CaseView at, const Field& field);
 
 /// Throws `Error` (input) without a place for a value that a quantity may not be.
 void expect_in_range(CaseView at, const Field& field, double value);
 
-/// Is it a choice that came later, and the first? Then what is kept of a case leaves it out.
+/// Says whether it is a choice that came later, and the first. Then what is kept of a case leaves it out.
 bool goes_without_saying(CaseView at, const Field& field);
 
 /// Sets a quantity, in its unit. With the temperature it sets what follows it by table, and with any of these the
@@ -144,17 +145,17 @@ void set_quantity(CaseToSet at, const Field& field, double value);
 /// that.
 void set_from_text(CaseToSet at, const Field& field, std::string_view text);
 
-/// The share of critical that a damping is known as [1]; nothing for other fields and dampings in N*s/m.
+/// Returns the share of critical that a damping is known as [1]; nothing for other fields and dampings in N*s/m.
 std::optional<double> damping_ratio(CaseView at, const Field& field);
 
-/// The value as a user would write it, with its unit: "20 N", "sinusoidal", "damping ratio 0.15".
+/// Returns the value as a user would write it, with its unit: "20 N", "sinusoidal", "damping ratio 0.15".
 std::string value_text(CaseView at, const Field& field);
 
-/// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers. Of
-/// several joints each has lines of its own, "joint.lip2.contact.preload = 20 N".
-/// Two cases that would run alike have the same text, whatever files they came from; a sampled drive and an own
-/// structure are named by a hash. What follows the temperature is its whole table: "temperature.at = -30 degC, 80
-/// degC", "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".
+/// Returns every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip
+/// numbers. Of several joints each has lines of its own, "joint.lip2.contact.preload = 20 N". Two cases that would run
+/// alike have the same text, whatever files they came from; a sampled drive and an own structure are named by a hash.
+/// What follows the temperature is its whole table: "temperature.at = -30 degC, 80 degC",
+/// "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".
 std::string canonical_text(const Case& c);
 
 }  // namespace stridor::parameters

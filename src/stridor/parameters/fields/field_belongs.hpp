@@ -42,7 +42,7 @@ inline bool has_springs(CaseView at) {
 inline bool has_preload(CaseView at) {
     return is_preloaded(at.c);
 }
-/// Do all contacts of an own structure say it themselves?
+/// Says whether all contacts of an own structure say it themselves.
 template <auto member>
 inline bool all_say(CaseView at) {
     return at.c.own_structure && std::all_of(at.c.own_structure->contacts.begin(), at.c.own_structure->contacts.end(),

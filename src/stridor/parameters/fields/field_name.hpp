@@ -11,11 +11,11 @@
 /// temperature.value is "temperature".
 namespace stridor::parameters {
 
-/// The last part of a key; of temperature.value, which is the value of its section, "temperature".
+/// Returns the last part of a key; of temperature.value, which is the value of its section, "temperature".
 std::string_view short_name(const Field& field);
 
-/// The fields a name may mean: the one with that key, else all whose last part or symbol it is, those of builders only
-/// where there are no others; none if it is unknown.
+/// Returns the fields a name may mean: the one with that key, else all whose last part or symbol it is, those of
+/// builders only where there are no others; none if it is unknown.
 std::vector<const Field*> fields_called(std::string_view name);
 
 /// Returns the field a name means. Throws `Error` (input) without a place for a name that none has, with the most
@@ -26,8 +26,8 @@ const Field& field_named(std::string_view name);
 /// quantity.
 const Field& quantity_named(std::string_view name);
 
-/// The key or keys ("a or b") a misspelt name was meant to be: of its own section those that end alike, else the one
-/// whose last part or symbol the name ends in, else the nearest key or last part; empty if none is near.
+/// Returns the key or keys ("a or b") a misspelt name was meant to be: of its own section those that end alike, else
+/// the one whose last part or symbol the name ends in, else the nearest key or last part; empty if none is near.
 std::string similar_key(std::string_view name);
 
 }  // namespace stridor::parameters

@@ -42,10 +42,10 @@ struct SoundThreshold {
     double SoundThresholds::*member;
 };
 
-/// All thresholds by sound, in the order the rules look at them.
+/// Returns all thresholds by sound, in the order the rules look at them.
 std::span<const SoundThreshold> sound_thresholds();
 
-/// Does an assignment name a threshold by sound?
+/// Says whether an assignment names a threshold by sound.
 bool is_sound_threshold(std::string_view assignment);
 
 /// Sets "squeal_regularity=0.7". Throws `Error` (input) with place "--set" for text without '=', an unknown key (with

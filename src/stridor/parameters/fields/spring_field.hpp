@@ -26,13 +26,13 @@ struct SpringField {
     Range range{};  // of a number
 };
 
-/// All of them, in the order files list them.
+/// Returns all of them, in the order files list them.
 std::span<const SpringField> spring_fields();
 
-/// The one with this key; it must be there.
+/// Returns the one with this key; it must be there.
 const SpringField& spring_field(std::string_view key);
 
-/// Is it what a spring has that does not name it?
+/// Says whether a value is what a spring has that does not name it.
 bool is_usual(const OwnSpring& spring, const SpringField& field);
 
 /// What a spring has of it: text, a number, or several.

@@ -14,7 +14,8 @@ namespace stridor::parameters {
 /// How far a quantity is varied to both sides of a case's value [1, ratio]: the span of the published charts.
 inline constexpr double usual_reach = 10.0;
 
-/// The values between which a quantity of a case is varied, in its unit; nothing for settings of the computation.
+/// Returns the values between which a quantity of a case is varied, in its unit; nothing for settings of the
+/// computation.
 ///
 /// On a logarithmic scale (masses, stiffnesses, dampings, forces, velocities) from a tenth to ten times the case's own
 /// value, with its sign. On a linear scale (friction, angles, restitution) the usual range of the field, as wide as the
@@ -22,8 +23,8 @@ inline constexpr double usual_reach = 10.0;
 /// linear scale. The temperature of the parts is varied over its table. No end lies where the field allows no value.
 std::optional<UsualRange> usual_range(const Case& c, std::string_view key);
 
-/// The keys of what a designer varies in a case: the quantities with a usual range in the field table, but for those
-/// that follow the temperature. Each of several joints has its own.
+/// Returns the keys of what a designer varies in a case: the quantities with a usual range in the field table, but for
+/// those that follow the temperature. Each of several joints has its own.
 std::vector<std::string> design_keys(const Case& c);
 
 }  // namespace stridor::parameters

@@ -16,13 +16,14 @@ struct Finding {
     std::vector<std::string_view> others{};  // keys it depends on besides; empty: it may depend on any
 };
 
-/// Everything that is wrong with a case beyond the range of each single value: values that contradict each other.
+/// Returns everything that is wrong with a case beyond the range of each single value: values that contradict each
+/// other.
 ///
 /// Empty for a case that can be simulated. A step beyond the stability limit is not looked for here: that needs the
 /// system's frequencies (`integration::step_limit`).
 std::vector<Finding> findings(const Case& c);
 
-/// What is wrong with one joint and with what all share. Keys are those of a case with one joint.
+/// Returns what is wrong with one joint and with what all share. Keys are those of a case with one joint.
 std::vector<Finding> findings_at(CaseView at);
 
 }  // namespace stridor::parameters

@@ -61,13 +61,13 @@ Engine engine_of(const Case& c);
 /// where it can, or where the case names an engine.
 std::optional<base::Problem> why_not_exact(const Case& c);
 
-/// Does the exact engine go from event to event by Taylor series?
+/// Says whether the exact engine goes from event to event by Taylor series.
 bool is_solved_by_series(const Case& c);
 
 /// Says whether only the contacts of a case move without inertia.
 bool is_without_inertia(const Case& c);
 
-/// The methods that a case is solved by: two where both formulations are run.
+/// Returns the methods that a case is solved by: two where both formulations are run.
 std::vector<Method> methods_of(const Case& c);
 
 /// Something that a case, or a joint of it, asks for, and where: "row x has no mass"; empty: nowhere in particular.
@@ -77,8 +77,8 @@ struct Asked {
 };
 std::vector<Asked> demands_of(CaseView at);
 
-/// Why a method cannot do what is asked: what, as "the exact engine knows one contact", why, and what to do instead.
-/// Nothing where it can. `name` stands for that of the method.
+/// Returns why a method cannot do what is asked: what, as "the exact engine knows one contact", why, and what to do
+/// instead. Nothing where it can. `name` stands for that of the method.
 std::optional<base::Problem> refusal(Method method, const Asked& asked, std::string_view name = {});
 
 /// The field a user would change, and those it depends on besides.

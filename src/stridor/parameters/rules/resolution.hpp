@@ -19,7 +19,7 @@ inline constexpr double largest_number = 1e75;
 /// Largest ratio of two numbers that are added up: beyond it less than four digits of the smaller one are left.
 inline constexpr double most_apart = 1e12;
 
-/// What double precision cannot follow: numbers whose products leave it, rates far beyond the run's length,
+/// Adds what double precision cannot follow: numbers whose products leave it, rates far beyond the run's length,
 /// stiffnesses and masses of which the smaller one drowns in the rounding of the larger, more reversals than fit into
 /// memory.
 ///

@@ -13,14 +13,14 @@ namespace stridor::parameters {
 /// Largest share that is taken [1]; a spring with ten times its critical damping creeps.
 inline constexpr double most_damping_ratio = 10.0;
 
-/// The share that a text says: "15 %" and "damping ratio 0.15" are 0.15, and so is "loss factor 0.3" (eta = 2 zeta at
-/// the natural frequency, c = eta sqrt(k m)). Nothing for any other text.
+/// Returns the share that a text says: "15 %" and "damping ratio 0.15" are 0.15, and so is "loss factor 0.3" (eta = 2
+/// zeta at the natural frequency, c = eta sqrt(k m)). Nothing for any other text.
 std::optional<double> parse_damping_ratio(std::string_view text);
 
-/// "damping ratio 0.15", which reads back as the same number.
+/// Returns "damping ratio 0.15", which reads back as the same number.
 std::string damping_ratio_text(double ratio);
 
-/// Where a case keeps the ratio of the damping with that key; nullptr for any other key.
+/// Returns where a case keeps the ratio of the damping with that key; nullptr for any other key.
 std::optional<double>* damping_ratio_of(CaseToSet at, std::string_view key);
 const std::optional<double>* damping_ratio_of(CaseView at, std::string_view key);
 

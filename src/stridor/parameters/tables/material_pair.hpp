@@ -59,7 +59,7 @@ std::string material_pair_text(const MaterialPair& pair);
 /// Throws `Error` (input) without a place for a table that is no grid or has negative numbers.
 MaterialPair parse_material_pair(std::string_view text);
 
-/// Is this the text of a whole table, which needs no file?
+/// Says whether this is the text of a whole table, which needs no file.
 bool is_whole_pair(std::string_view text);
 
 /// A file, and a pair in it.
@@ -72,11 +72,11 @@ struct NamedPair {
 /// a text that names none.
 NamedPair named_pair(std::string_view text);
 
-/// Does this field of a case follow its table, of a pair or of the temperature? Such a number cannot be set.
+/// Says whether a field of a case follows a table, of a pair or of the temperature. Such a number cannot be set.
 bool follows_table(CaseView at, const Field& field);
 bool follows_table(const Case& c, std::string_view key);
 
-/// Does this field follow the table of a pair?
+/// Says whether a field follows the table of a pair.
 bool follows_pair(CaseView at, const Field& field);
 
 /// Returns the nodes of a pair over a field: temperature.value, contact.humidity or contact.preload; empty for others,

@@ -15,22 +15,22 @@
 /// table nothing is known, and such a temperature is refused.
 namespace stridor::parameters {
 
-/// Keys of the quantities that may follow the temperature, in the order of the field table: stiffnesses, dampings and
-/// friction coefficients.
+/// Returns keys of the quantities that may follow the temperature, in the order of the field table: stiffnesses,
+/// dampings and friction coefficients.
 std::span<const std::string_view> keys_over_temperature();
 
-/// Does anything of this case follow the temperature?
+/// Says whether anything of this case follows the temperature.
 bool has_temperature_table(const Case& c);
 
-/// The column of a key; nullptr if that quantity does not follow the temperature. Of several joints each has columns of
-/// its own, "joint.lip2.axial_stiffness"; "joint.axial_stiffness" is the first of them there.
+/// Returns the column of a key; nullptr if that quantity does not follow the temperature. Of several joints each has
+/// columns of its own, "joint.lip2.axial_stiffness"; "joint.axial_stiffness" is the first of them there.
 const TemperatureColumn* temperature_column(const Case& c, std::string_view key);
 
-/// The column of a field, of several joints that of this one.
+/// Returns the column of a field, of several joints that of this one.
 const TemperatureColumn* temperature_column(CaseView at, const Field& field);
 
-/// A column out of texts as `set_from_text` takes them: "60 N/mm", "0.7"; a damping may be "15 %" at all nodes. Throws
-/// `Error` (input) without a place for a value the field does not take, and for shares among other dampings.
+/// Returns a column out of texts as `set_from_text` takes them: "60 N/mm", "0.7"; a damping may be "15 %" at all nodes.
+/// Throws `Error` (input) without a place for a value the field does not take, and for shares among other dampings.
 TemperatureColumn read_temperature_column(const Field& field, std::span<const std::string> texts);
 
 /// Nodes out of texts: "-30 degC". Throws `Error` (input) without a place for fewer than two, and for nodes that do not

@@ -15,7 +15,7 @@ namespace stridor::recordings {
 /// How one sample stands in the bytes of a stream, in little-endian order.
 enum class SampleCoding { u8, s16, s24, s32, f32, f64 };
 
-/// The words for them: "s16le".
+/// Returns the words for them: "s16le".
 std::vector<std::string> sample_coding_names();
 
 /// Returns the coding of a word. Throws `Error` (input) that lists the words.
@@ -35,7 +35,7 @@ struct StreamForm {
     bool operator==(const StreamForm&) const = default;
 };
 
-/// "24 bit, 48000 Hz, 4 channels".
+/// Returns "24 bit, 48000 Hz, 4 channels".
 std::string stream_form_text(const StreamForm& form);
 
 /// Reads whole frames; whole numbers are divided by the largest magnitude they can have, as `open_audio` does. `bytes`

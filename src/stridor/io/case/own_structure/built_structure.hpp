@@ -26,16 +26,16 @@ struct StructureBuilder {
     parameters::OwnStructure (*build)(const parameters::Recipe& recipe);
 };
 
-/// What a key is, in a few words.
+/// Returns what a key is, in a few words.
 std::string_view sentence_of(const BuilderKey& key);
 
-/// What it builds. Throws `Error` (input) at the key that is missing or wrong.
+/// Returns what it builds. Throws `Error` (input) at the key that is missing or wrong.
 parameters::OwnStructure built_structure(const StructureBuilder& builder, const TomlSection& section);
 
-/// The keys of one builder, which must be there.
+/// Returns the keys of one builder, which must be there.
 std::span<const BuilderKey> builder_keys(std::string_view builder);
 
-/// chain, string, beam.
+/// Returns the names of the builders: chain, string, beam.
 std::span<const StructureBuilder> structure_builders();
 
 }  // namespace stridor::io

@@ -24,7 +24,7 @@ namespace stridor::io {
 /// three numbers. Without a node it is of the rows: "y1 -y2" or a number for each.
 using NamedDirection = std::variant<std::string, std::vector<double>>;
 
-/// What may stand in a table of a contact, and as a column of a CSV: where it is, and its fields
+/// Returns what may stand in a table of a contact, and as a column of a CSV: where it is, and its fields
 /// (`parameters::contact_fields`).
 std::span<const std::string_view> contact_keys();
 
@@ -71,8 +71,8 @@ NamedContact named_contact(const Source& source, const base::Place& place) {
     return named;
 }
 
-/// Contacts at the rows of a part. Those of a set stand in the order of their places along its longest side, and are
-/// paired with the nearest node of the set `against`.
+/// Returns contacts at the rows of a part. Those of a set stand in the order of their places along its longest side,
+/// and are paired with the nearest node of the set `against`.
 ///
 /// Throws `Error` (input) at the place for a node, set or row that is not there, a direction that is zero or has
 /// another number of components, a tangent that is not at right angles to the normal, two contacts of one name or at
@@ -96,8 +96,8 @@ std::vector<double> rows_along(const reduction::ElasticPart& part, const NamedOu
 /// `fallback`.
 std::string name_of(const NamedOutput& named, const std::string& fallback);
 
-/// Outputs at the rows of a part, or at further rows whose motion is `recovery` * u (`reduction::Reduction`), shape
-/// [recovered][row].
+/// Returns outputs at the rows of a part, or at further rows whose motion is `recovery` * u (`reduction::Reduction`),
+/// shape [recovered][row].
 ///
 /// Throws `Error` (input) at the place for a node or row that is not there, a direction that is zero or has another
 /// number of components, and a name that another output, a contact or a row has.

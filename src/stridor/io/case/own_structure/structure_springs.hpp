@@ -15,7 +15,7 @@ namespace stridor::io {
 /// What stands before the number of a table of a spring.
 inline constexpr std::string_view spring_opening = "structure.spring.";
 
-/// What may stand in a table of a spring: where it is, and its fields (`parameters::spring_fields`).
+/// Returns what may stand in a table of a spring: where it is, and its fields (`parameters::spring_fields`).
 std::span<const std::string_view> spring_keys();
 
 /// Reads the [[structure.spring]] tables of a document; the CSV files of force that they name are opened. Springs go

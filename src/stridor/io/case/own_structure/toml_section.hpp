@@ -25,22 +25,22 @@ public:
     /// Returns the entry that decides a key. Throws `Error` (input) if there is none.
     const TomlEntry& need(std::string_view name) const;
 
-    /// A number or text with a unit, in `unit`.
+    /// Returns a number or text with a unit, in `unit`.
     double quantity(std::string_view name, std::string_view unit, Bound bound) const;
     std::optional<double> find_quantity(std::string_view name, std::string_view unit, Bound bound) const;
-    /// A count between two.
+    /// Returns a count between two.
     int count(std::string_view name, int least, int most) const;
-    /// Text; a number is taken as text as well: a node may be either.
+    /// Returns text; a number is taken as text as well: a node may be either.
     std::string text(std::string_view name) const;
     std::string text_or(std::string_view name, std::string fallback) const;
-    /// Text or a list of texts.
+    /// Returns text or a list of texts.
     std::vector<std::string> texts(std::string_view name) const;
-    /// A list of numbers; a number of them where `size` is not zero.
+    /// Returns a list of numbers; a number of them where `size` is not zero.
     std::vector<double> numbers(std::string_view name, std::size_t size = 0) const;
 
-    /// Where the table opens, or the document.
+    /// Returns where the table opens, or the document.
     base::Place place() const;
-    /// Path of a file that a key names: beside the document, or from the current folder for an override.
+    /// Returns the path of a file that a key names: beside the document, or from the current folder for an override.
     std::string path(const TomlEntry& entry, const std::string& name) const;
 
     /// Refuses a value of another kind.

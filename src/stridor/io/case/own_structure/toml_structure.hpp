@@ -23,10 +23,11 @@ enum class StructureKeys {
 };
 std::span<const std::string_view> structure_keys(StructureKeys kind);
 
-/// Does a file have a structure of its own, as [structure]?
+/// Says whether a file has a structure of its own, as [structure].
 bool has_own_structure(const TomlDocument& document);
 
-/// The document as a case reads it: without what only [structure] says. Complains of [joint], [plate], [temperature].
+/// Returns the document as a case reads it: without what only [structure] says. Complains of [joint], [plate],
+/// [temperature].
 TomlDocument without_structure(const TomlDocument& document, Complaints& complaints);
 
 /// Reads [structure]: matrices in the file itself, of files, or of a builder, its dampings, its load and its contacts.
