@@ -1,12 +1,15 @@
 #include "stridor/pictures/friction_law.hpp"
 
 #include "pictures_support.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace stridor::pictures {
 namespace {
@@ -86,6 +89,26 @@ TEST(FrictionLaw, IsACurveWhereItChangesWithTheSlipVelocity) {
     EXPECT_EQ(lines[0].y.back(), -0.8);  // from fast to slow
     EXPECT_EQ(scene.panels.at(0).x.range.to, 10.0 * contact.stribeck_velocity);
     EXPECT_TRUE(scene.panels.at(0).x.ticks.empty());  // numbers along the axis
+}
+
+TEST(FrictionLaw, KnowsTheSlipOfAStructure) {
+    parameters::OwnStructure own;
+    own.row = {"a", "b"};
+    own.contacts.resize(1);
+    own.contacts.front().tangent = {1.0, -1.0};
+    own.contacts.front().drive_share = 0.5;
+    parameters::Case c;
+    c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(own));
+    record::Trace trace;
+    trace.time = {0.0, 1.0};
+    trace.velocity = {{0.1, 0.3}, {0.2, 0.1}};
+    trace.surface_velocity = {1.0, 1.0};
+    trace.contacts.resize(1);
+    trace.contacts[0].state.assign(2, model::ContactState::slip);
+    const std::optional<drawing::Extent> visited = visited_velocities(c, trace);
+    ASSERT_TRUE(visited);
+    EXPECT_DOUBLE_EQ(visited->from, 0.3);  // 0.5 V - (0.3 - 0.1)
+    EXPECT_DOUBLE_EQ(visited->to, 0.6);    // 0.5 V - (0.1 - 0.2)
 }
 
 TEST(FrictionLaw, ShadesTheVelocitiesOfAMotion) {
