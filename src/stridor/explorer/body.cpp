@@ -58,7 +58,7 @@ const Preset& preset_in(const World& world, const Json& body) {
 // a slow structure may take minutes of its time, and little of ours
 bool is_slow_enough(const parameters::Case& c) {
     constexpr double most = 5.0;  // [s] of one core
-    return !parameters::has_plate(c) && structure_seconds(c) <= most;
+    return !parameters::has_plate(c) && run_seconds(c) <= most;
 }
 
 void limit_run(const parameters::Case& c) {

@@ -4,7 +4,9 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
+#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/system.hpp"
 #include "stridor/sweep/ready_charts.hpp"
 
 #include <algorithm>
@@ -73,12 +75,27 @@ const Preset& preset_named(const World& world, std::string_view name) {
 
 namespace {
 
+// [1/s] bound of the angular frequencies: Gershgorin's, where the mass is diagonal
+double highest_rate(const model::Structure& structure) {
+    double highest = 0.0;
+    for (Eigen::Index row = 0; row < structure.mass.rows(); ++row)
+        highest = std::max(highest, structure.stiffness.row(row).cwiseAbs().sum() / structure.mass(row, row));
+    return std::sqrt(highest);
+}
+
+// a joint that does not stiffen takes milliseconds, whatever it is
+bool takes_long(const parameters::Case& c) {
+    return !parameters::has_plate(c) || !parameters::names_of_springs(c).empty();
+}
+
 // where a cell costs more than one of the paper's the chart has fewer
 int chart_points(const parameters::Case& c) {
     constexpr double wait = 40.0;  // [s] of one core, for a chart
-    constexpr int fewest = 8, most = 24, of_joints = 64, of_several = 16;
-    if (!c.own_structure) return !parameters::has_several_joints(c) ? of_joints : of_several;
-    return static_cast<int>(std::clamp(std::sqrt(wait / structure_seconds(c)), double{fewest}, double{most}));
+    constexpr double fewest = 8, of_structure = 24, of_joints = 64, of_several = 16;
+    const double most = !parameters::has_plate(c)      ? of_structure
+                        : parameters::has_one_joint(c) ? of_joints
+                                                       : of_several;
+    return static_cast<int>(takes_long(c) ? std::clamp(std::sqrt(wait / run_seconds(c)), fewest, most) : most);
 }
 
 io::AxisTexts axes_around(const parameters::Case& c) {
@@ -88,19 +105,20 @@ io::AxisTexts axes_around(const parameters::Case& c) {
 
 }  // namespace
 
-double structure_seconds(const parameters::Case& c) {
-    constexpr double step = 3.3e-8;  // [s] of one core for a row; a contact takes as much again
-    const parameters::OwnStructure& own = *c.own_structure;
-    const std::size_t rows = own.row.size();
-    double highest = 0.0;  // [1/s^2] square of the angular frequency; Gershgorin's bound where the mass is diagonal
-    for (std::size_t row = 0; row < rows; ++row) {
-        double stiffness = 0.0;
-        for (std::size_t column = 0; column < rows; ++column)
-            stiffness += std::abs(own.stiffness[row * rows + column]);
-        highest = std::max(highest, stiffness / own.mass[row * rows + row]);
-    }
-    const double steps = c.run.duration * std::sqrt(highest * c.structure_scales.stiffness);
-    return steps * static_cast<double>(rows * (1 + own.contacts.size())) * step;
+double run_seconds(const parameters::Case& c) {
+    // [s] of one core in each step of 1/omega
+    constexpr double row = 3.3e-8;          // a contact takes as much again
+    constexpr double series = 7.5e-7;       // twice, and again for a contact, where there are springs
+    constexpr double spring = 1.5e-6;       // each
+    constexpr double row_of_spring = 2e-8;  // and for each row
+    const model::Structure structure = model::structure_of(c);
+    const auto rows = static_cast<double>(model::dofs_of(structure));
+    const auto contacts = static_cast<double>(structure.contacts.size());
+    const auto springs = static_cast<double>(structure.springs.size());
+    const double steps = c.run.duration * highest_rate(structure);
+    const double by_series =
+        springs == 0.0 ? 0.0 : series * (2.0 + contacts) + springs * (spring + rows * row_of_spring);
+    return steps * (rows * (1.0 + contacts) * row + by_series);
 }
 
 Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::explorer {
@@ -191,6 +192,47 @@ TEST(StructureInThePage, MayTakeMinutesWhereItIsSlow) {
     EXPECT_EQ(simulated(world)["phases"][0]["verdict"]["category"], "creak");
     EXPECT_EQ(refusal_of(world, "/api/simulate", of_file({"run.duration=1e9", "run.window=1e9"})),
               "run.duration = 1e+09 s is too long to be explored");
+}
+
+// measured: of a string of 41 rows one spring that is not linear doubles the time, and four take five times as long
+TEST(StructureInThePage, HasACoarserChartWithSpringsThatAreNotLinear) {
+    const auto points_of = [](const std::string& text) {
+        const Preset preset = preset_of({text, "case.toml", {}});
+        return std::pair(preset.study->x.points, run_seconds(preset.study->base));
+    };
+    std::string text = io::ready_file("string"), row = "direction = [0, 0, 0, 1";
+    for (int k = 4; k < 41; ++k)
+        row += ", 0";
+    const auto spring = [&](int number, const std::string& law) {
+        return "\n[[structure.spring]]\nname = \"s" + std::to_string(number) + "\"\n" + row + "]\n" + law;
+    };
+    const auto [points, seconds] = points_of(text);
+    EXPECT_EQ(points_of(text + spring(1, "stiffness = 1\n")).first, points) << "it is linear";
+    const auto [points_with_one, seconds_with_one] = points_of(text + spring(1, "cubic = 1e9\n"));
+    EXPECT_LT(points_with_one, points);
+    EXPECT_GT(seconds_with_one, 1.5 * seconds);
+    EXPECT_LT(seconds_with_one, 5.0 * seconds);
+    for (int number = 1; number <= 4; ++number)
+        text += spring(number, "cubic = 1e9\n");
+    const auto [points_with_four, seconds_with_four] = points_of(text);
+    EXPECT_LE(points_with_four, points_with_one);
+    EXPECT_GT(seconds_with_four, 2.5 * seconds);
+    EXPECT_LT(seconds_with_four, 10.0 * seconds);
+}
+
+// one run of Table 1's squeal takes 3 ms, and 0.1 s with a joint that stiffens
+TEST(Preset, OfAJointThatStiffensHasACoarserChart) {
+    const auto points_of = [](const std::string& kind, const std::string& joint, double cubic) {
+        std::vector<std::string> set;
+        if (cubic != 0.0)
+            set = {joint + ".stiffening=cubic", joint + ".axial_cubic=" + std::to_string(cubic),
+                   joint + ".flexural_cubic=0"};
+        return preset_of({io::ready_file(kind), kind, set}).study->x.points;
+    };
+    EXPECT_EQ(points_of("squeal", "joint", 0.0), 64);
+    EXPECT_LT(points_of("squeal", "joint", 1e12), 40);
+    EXPECT_EQ(points_of("two-lips", "joint.upper", 0.0), 16);
+    EXPECT_LE(points_of("two-lips", "joint.upper", 1e12), 16);
 }
 
 TEST(StructureInThePage, OfManyRowsLeavesItsStabilityToTheCommandLine) {
