@@ -1,15 +1,16 @@
 #include "stridor/base/elementary.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/logarithm_series.hpp"
 
 #include <cmath>
+#include <limits>
 
 // Elementary functions with fixed bits.
 //
 // sine, cosine: with turns = q/4 + r, |r| <= 1/8, and x = 2 pi r, |x| <= pi/4, Taylor series to x^17 and x^18 have a
 // truncation error below (pi/4)^19/19! = 8e-20 and (pi/4)^20/20! = 3e-21; q selects and signs the pair.
-// logarithm: x = m 2^e with m in [1/sqrt 2, sqrt 2), s = (m-1)/(m+1), ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.1716,
-// truncated after s^21/21: relative error s^22/23 < 1e-18. power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
+// power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
 // exponential: x = k ln 2 + f, |f| <= 0.3466, Taylor to degree 14: 0.3466^15/15! < 1e-19.
 namespace stridor::base {
 
@@ -102,18 +103,8 @@ SineCosine sine_cosine_of_degrees(double degrees) {
 
 double logarithm_2(double x) {
     STRIDOR_EXPECT(x > 0.0);
-    int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // [1/2, 1)
-    if (mantissa < 0.70710678118654752440) {
-        mantissa *= 2.0;
-        exponent -= 1;
-    }
-    const double s = (mantissa - 1.0) / (mantissa + 1.0);
-    const double z = s * s;
-    double sum = 0.0;
-    for (int k = 21; k >= 3; k -= 2)
-        sum = (sum + 1.0 / k) * z;
-    return exponent + (2.0 / ln_2) * (s + s * sum);
+    if (!std::isfinite(x)) return x;
+    return x < std::numeric_limits<double>::min() ? logarithm_2_of_normal(0x1p54 * x) - 54.0 : logarithm_2_of_normal(x);
 }
 
 double power_of_2(double x) {

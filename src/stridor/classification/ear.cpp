@@ -1,9 +1,9 @@
 #include "stridor/classification/ear.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/classification/ear_weights.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace stridor::classification {
@@ -24,7 +24,7 @@ double presence(const Passage& p) {
 }
 
 double tone_length(const Passage& p) {
-    return tone_sureness(p) * std::log2(1.0 + p.tones.length / 0.06);
+    return tone_sureness(p) * base::logarithm_2(1.0 + p.tones.length / 0.06);
 }
 
 double wander(const Passage& p) {
@@ -33,11 +33,12 @@ double wander(const Passage& p) {
 
 // voices and engines have many lines close together
 double comb(const Passage& p) {
-    return p.tones.spacing > 0.0 ? tone_sureness(p) * std::clamp(std::log2(400.0 / p.tones.spacing), -1.0, 2.0) : 0.0;
+    return p.tones.spacing > 0.0 ? tone_sureness(p) * std::clamp(base::logarithm_2(400.0 / p.tones.spacing), -1.0, 2.0)
+                                 : 0.0;
 }
 
 double centre(const Passage& p) {
-    return p.tones.centre > 0.0 ? std::log2(p.tones.centre / 1000.0) : 0.0;
+    return p.tones.centre > 0.0 ? base::logarithm_2(p.tones.centre / 1000.0) : 0.0;
 }
 
 double spread(const Passage& p) {
@@ -45,7 +46,7 @@ double spread(const Passage& p) {
 }
 
 double onset_rate(const Passage& p) {
-    return std::min(6.0, std::log2(2.0 + p.onsets.rate));
+    return std::min(6.0, base::logarithm_2(2.0 + p.onsets.rate));
 }
 
 // rows at any pace
@@ -55,13 +56,13 @@ double train(const Passage& p) {
 
 // impulses count against a creak only where they are in no row
 double lone_impulses(const Passage& p) {
-    return (1.0 - train(p)) * std::clamp(std::log2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
+    return (1.0 - train(p)) * std::clamp(base::logarithm_2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
 }
 
 // of a row of seven or more in which the level rises fast and falls slowly
 double jerks_of(double skewness, double longest_train) {
     const double asymmetry = std::max(0.0, skewness);
-    return asymmetry / (1.0 + asymmetry) * std::min(1.0, std::log2(1.0 + longest_train) / 3.0);
+    return asymmetry / (1.0 + asymmetry) * std::min(1.0, base::logarithm_2(1.0 + longest_train) / 3.0);
 }
 
 // releases of stick and slip, at the pace that shows them: a room takes of their height, less of their shape
@@ -127,7 +128,7 @@ EarVerdict hear(const Passage& passage) {
             std::inner_product(deviations.begin(), deviations.end(), ear_weights[h].begin(), ear_biases[h]);
     const double greatest = *std::max_element(probabilities.begin(), probabilities.end());
     for (double& p : probabilities)
-        p = std::exp(p - greatest);
+        p = base::exponential(p - greatest);
     const double whole = sum_of(probabilities);
     for (double& p : probabilities)
         p /= whole;

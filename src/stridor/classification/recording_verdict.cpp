@@ -1,5 +1,6 @@
 #include "stridor/classification/recording_verdict.hpp"
 
+#include "stridor/base/decibels.hpp"
 #include "stridor/classification/ear_weights.hpp"
 #include "stridor/classification/sound_rules.hpp"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -65,7 +65,7 @@ std::vector<HeardPassage> heard_passages(std::span<const Passage> passages, cons
     for (const Passage& passage : passages) {
         HeardPassage here{passage.from, passage.from + passage.duration, energy(passage), Category::none,
                           hear(passage)};
-        const bool is_background = !(passage.tones.mean_square > loudest * std::pow(10.0, -0.1 * t.quiet_depth));
+        const bool is_background = !(passage.tones.mean_square > loudest * base::power_of_decibels(-t.quiet_depth));
         if (!is_background) here.category = category_of(here.ear.heard);
         heard.push_back(here);
     }
@@ -129,7 +129,7 @@ std::vector<SoundSegment> segments_of(std::span<const SoundStretch> stretches, s
     const std::vector<PassageStretches> parts = parted(stretches, heard);
     for (std::size_t k = 0; k < parts.size(); ++k)
         for (const SoundStretch& stretch : parts[k].stretches) {
-            const double least = parts[k].loudest * std::pow(10.0, -0.1 * segment_depth);
+            const double least = parts[k].loudest * base::power_of_decibels(-segment_depth);
             const Category category = stretch.features.mean_square >= least ? heard[k].category : Category::none;
             append(segments, stretch, category, heard[k]);
         }
@@ -178,7 +178,7 @@ double greatest_of(std::string_view figure, std::span<const HeardPassage> heard,
         loudest = std::max(loudest, power(passage));
     double greatest = 0.0;
     for (const HeardPassage& passage : heard)
-        if (power(passage) > loudest * std::pow(10.0, -0.1 * t.quiet_depth))
+        if (power(passage) > loudest * base::power_of_decibels(-t.quiet_depth))
             greatest = std::max(greatest, passage.ear.values[static_cast<std::size_t>(place - figures.begin())]);
     return greatest;
 }

@@ -1,5 +1,7 @@
 #include "stridor/classification/sound_rules.hpp"
 
+#include "stridor/base/decibels.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -158,7 +160,7 @@ std::vector<SoundSegment> segments_of(std::span<const SoundStretch> stretches, c
     for (const SoundStretch& stretch : stretches) {
         const SoundFeatures& f = stretch.features;
         SoundVerdict verdict = classify_sound(f, t);
-        const double depth = 10.0 * std::log10(loudest / f.mean_square);
+        const double depth = base::decibels_of_power(loudest / f.mean_square);
         if (verdict.category != Category::none && depth > t.quiet_depth) {
             verdict.category = Category::none;
             verdict.reasons = {fmt::format("lies {:.1f} dB below the loudest stretch", depth)};

@@ -1,5 +1,7 @@
 #include "stridor/hearing/live_ear.hpp"
 
+#include "stridor/base/decibels.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/signal/level.hpp"
 
@@ -103,7 +105,7 @@ void LiveEar::hear(std::span<const double> frames) {
 
 void LiveEar::watch(std::span<const double> frames) {
     const std::size_t width = layout_.channels.size();
-    const double share = -std::expm1(-1.0 / (signal::fast * layout_.rate));
+    const double share = 1.0 - base::exponential(-1.0 / (signal::fast * layout_.rate));
     const auto second = static_cast<std::uint64_t>(seconds_of(heard_));
     const bool is_new = second != second_;
     second_ = second;
@@ -187,7 +189,7 @@ void LiveEar::tell(std::size_t channel, SoundAnalysis part, double from, double 
     std::deque<std::pair<double, double>>& loud = told_[channel].loud;
     while (!loud.empty() && loud.front().first < passage.from - watched)
         loud.pop_front();
-    const double depth = std::pow(10.0, -0.1 * options_.thresholds.quiet_depth);
+    const double depth = base::power_of_decibels(-options_.thresholds.quiet_depth);
     passage.is_background =
         std::any_of(loud.begin(), loud.end(), [&](const auto& each) { return !(power > depth * each.second); });
     loud.emplace_back(passage.to, power);

@@ -128,8 +128,8 @@ double gain_at(std::span<const Biquad> sections, double frequency, double rate) 
     const std::complex<double> delay(turn.cosine, -turn.sine);
     double gain = 1.0;
     for (const Biquad& section : sections)
-        gain *= std::abs((section.b0 + delay * (section.b1 + delay * section.b2)) /
-                         (1.0 + delay * (section.a1 + delay * section.a2)));
+        gain *= std::sqrt(std::norm((section.b0 + delay * (section.b1 + delay * section.b2)) /
+                                    (1.0 + delay * (section.a1 + delay * section.a2))));
     return gain;
 }
 

@@ -1,5 +1,8 @@
 #include "stridor/signal/level.hpp"
 
+#include "stridor/base/decibels.hpp"
+#include "stridor/base/elementary.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,13 +48,13 @@ std::string level_unit(std::string_view unit) {
 }
 
 double level_of(double mean_square, double reference) {
-    return 10.0 * std::log10(mean_square / (reference * reference));
+    return base::decibels_of_power(mean_square / (reference * reference));
 }
 
 LevelMeter::LevelMeter(double rate, double reference, double time_constant)
     : rate_(rate),
       reference_(reference),
-      share_(1.0 - std::exp(-1.0 / (rate * time_constant))),
+      share_(1.0 - base::exponential(-1.0 / (rate * time_constant))),
       stride_(std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(interval * rate)))),
       until_(stride_) {}
 

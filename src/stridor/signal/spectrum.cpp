@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/clones.hpp"
+#include "stridor/base/decibels.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/powers.hpp"
@@ -138,15 +139,15 @@ SpectrumPeak peak_at(const Spectrum& spectrum, std::size_t k) {
     double shift = 0.0;
     double lift = 0.0;
     if (density[k - 1] > 0.0 && density[k + 1] > 0.0) {
-        const double left = std::log10(density[k - 1] / density[k]);
-        const double right = std::log10(density[k + 1] / density[k]);
+        const double left = base::logarithm_2(density[k - 1] / density[k]);
+        const double right = base::logarithm_2(density[k + 1] / density[k]);
         const double curvature = left + right;
         shift = curvature < 0.0 ? 0.5 * (left - right) / curvature : 0.0;
         lift = -0.25 * (left - right) * shift;
     }
     peak.frequency = (static_cast<double>(k) + shift) * spectrum.spacing;
-    peak.mean_square = density[k] * spectrum.bandwidth * std::pow(10.0, lift);
-    peak.prominence = 10.0 * std::log10(density[k] / std::max(octave_median(density, k), 1e-30 * density[k]));
+    peak.mean_square = density[k] * spectrum.bandwidth * base::power_of_2(lift);
+    peak.prominence = base::decibels_of_power(density[k] / std::max(octave_median(density, k), 1e-30 * density[k]));
     return peak;
 }
 

@@ -1,6 +1,7 @@
 #include "stridor/sound/course.hpp"
 
 #include "stridor/base/clones.hpp"
+#include "stridor/base/decibels.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/signal/window.hpp"
 
@@ -229,7 +230,7 @@ LevelCourse level_course(std::span<const double> samples, double rate, signal::W
     const double whole = *std::max_element(parts.begin(), parts.end());
     std::vector<double> levels;
     for (const double part : parts)
-        levels.push_back(10.0 * std::log10(std::max(part, 1e-12 * whole)));
+        levels.push_back(base::decibels_of_power(std::max(part, 1e-12 * whole)));
     const auto count = static_cast<double>(levels.size());
     const double middle = 0.5 * (count - 1.0);
     const double mean = std::accumulate(levels.begin(), levels.end(), 0.0) / count;

@@ -8,6 +8,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/clones.hpp"
+#include "stridor/base/decibels.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/signal/median.hpp"
@@ -76,8 +77,9 @@ double line_place(std::span<const double> power, std::size_t from, std::size_t t
     if (k == 0 || k + 1 >= power.size()) return place;
     const double left = power[k - 1];
     const double right = power[k + 1];
-    if (!(left > 0.0 && right > 0.0)) return place;
-    return place + parabola_summit(std::log(left), std::log(power[k]), std::log(right)).place;
+    if (!(left > 0.0 && power[k] > 0.0 && right > 0.0)) return place;
+    return place +
+           parabola_summit(base::logarithm_2(left), base::logarithm_2(power[k]), base::logarithm_2(right)).place;
 }
 
 std::vector<double> echo_of(signal::Fourier& fourier, std::span<const double> window) {
@@ -229,7 +231,7 @@ void FeatureFinder::describe_tone(const Picture& picture, SoundFeatures& feature
     const auto low = std::max(picture.lowest, static_cast<std::size_t>(static_cast<double>(top) * 0.7071));
     const auto high = std::min(kept.size(), static_cast<std::size_t>(static_cast<double>(top) * 1.4142) + 2);
     const double around = signal::median_of(std::span(picture.power).subspan(low, high - low));
-    features.prominence = 10.0 * std::log10(picture.power[top] / std::max(around, 1e-15 * picture.power[top]));
+    features.prominence = base::decibels_of_power(picture.power[top] / std::max(around, 1e-15 * picture.power[top]));
 
     describe_movement(picture, place, features);
     describe_cycles(picture, kept, features);
@@ -329,7 +331,7 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
         kept_slope_floor += square * picture.floor;
     }
     const double background = picture.floor * static_cast<double>(picture.power.size() - picture.lowest);
-    features.clearness = power > 0.0 ? 10.0 * std::log10(power / background) : -infinity;
+    features.clearness = power > 0.0 ? base::decibels_of_power(power / background) : -infinity;
     if (!(kept > 0.0)) return stretch;
     describe_tone(picture, features);
 

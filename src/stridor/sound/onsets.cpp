@@ -1,6 +1,7 @@
 #include "stridor/sound/onsets.hpp"
 
 #include "stridor/base/clones.hpp"
+#include "stridor/base/decibels.hpp"
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/running_biquad.hpp"
@@ -79,10 +80,6 @@ constexpr double longest_interval = 0.35;       // [s] within a train
 constexpr double level_time = 0.05;             // [s]
 constexpr double level_corner = 100.0;          // [Hz]
 
-double decibels(double ratio) {
-    return 10.0 * std::log10(ratio);
-}
-
 double clamped_corner(double wanted, double rate) {
     return std::min(wanted, 0.25 * rate);
 }
@@ -113,7 +110,8 @@ std::vector<double> means_of(std::span<const double> values, std::size_t width) 
 std::vector<double> levels_of(std::span<const double> squares, double least) {
     std::vector<double> levels(squares.size());
     for (std::size_t k = 0; k < squares.size(); ++k)
-        levels[k] = decibels(squares[k] + least);
+        levels[k] = squares[k] + least;
+    base::make_decibels(levels);
     return levels;
 }
 
@@ -131,14 +129,15 @@ std::vector<double> steps_of(std::span<const double> squares, double least, std:
     std::vector<double> sums(squares.size() + 1);
     for (std::size_t k = 0; k < squares.size(); ++k)
         sums[k + 1] = sums[k] + squares[k] + least;
-    std::vector<double> steps(squares.size());
+    std::vector<double> steps(squares.size(), 1.0);
     for (std::size_t k = 1; k < squares.size(); ++k) {
         const std::size_t to = std::min(squares.size(), k + width);
         const std::size_t from = k - std::min(k, width);
         const double after = (sums[to] - sums[k]) / static_cast<double>(to - k);
         const double before = (sums[k] - sums[from]) / static_cast<double>(k - from);
-        steps[k] = decibels(after / before);
+        steps[k] = after / before;
     }
+    base::make_decibels(steps);
     return steps;
 }
 
@@ -321,6 +320,7 @@ void describe_fast(std::span<const double> sound, double rate, Onsets& onsets) {
     const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(fast_part_time * rate)));
     const std::vector<double> squares = squares_of(sound, length);
     const double least = step_floor * *std::max_element(squares.begin(), squares.end());
+    if (!(least > 0.0)) return;
     const double part = static_cast<double>(length) / rate;  // [s]
     const std::vector<std::uint8_t> loud = loud_parts(levels_of(means_of(squares, fast_lasting), least));
     const std::vector<double> steps = steps_of(squares, least, fast_step_parts);
@@ -360,14 +360,17 @@ STRIDOR_CLONES std::vector<double> band_levels(std::span<const double> samples, 
     }
     const double least = common_floor * *std::max_element(loudest.begin(), loudest.end());
     if (!(least > 0.0)) return std::vector<double>(squares.size());
-    std::vector<double> levels;
-    levels.reserve(squares.size());
-    for (const Lanes& part : squares) {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < bands; ++k)
-            sum += 10.0 * std::log10(part[k] + own_floor * loudest[k] + least);
-        levels.push_back(sum / static_cast<double>(bands));
+    std::vector<double> levels(squares.size());
+    std::vector<double> band(squares.size());
+    for (std::size_t k = 0; k < bands; ++k) {
+        for (std::size_t part = 0; part < squares.size(); ++part)
+            band[part] = squares[part][k] + own_floor * loudest[k] + least;
+        base::make_decibels(band);
+        for (std::size_t part = 0; part < squares.size(); ++part)
+            levels[part] += band[part];
     }
+    for (double& level : levels)
+        level /= static_cast<double>(bands);
     return levels;
 }
 

@@ -6,7 +6,6 @@
 #include "stridor/sound/sections.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -34,10 +33,10 @@ signal::Spectrogram impulse_graph(std::span<const double> samples, double rate, 
     return result;
 }
 
-constexpr double level_part = 0.005;   // [s]
-constexpr std::size_t sustained = 12;  // parts of a sustained level
-constexpr double level_jump = 6.0;     // [dB]
-constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
+constexpr double level_part = 0.005;    // [s]
+constexpr std::size_t sustained = 12;   // parts of a sustained level
+constexpr double level_jump = 3.98107;  // [1] of the power, 6 dB
+constexpr double drive_corner = 40.0;   // [Hz] below lies the motion of the drive
 
 // The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All
 // of the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
@@ -47,14 +46,14 @@ std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
     const auto add_level = [&] {
         levels.push_back(std::max(least, signal::median_of(squares.subspan(levels.size(), sustained))));
     };
-    double best = 0.0;
+    double best = 1.0;
     std::size_t place = 0;
     for (std::size_t k = sustained; k + sustained <= squares.size() && k <= longest; ++k) {
         while (levels.size() <= k)
             add_level();
         const double before = levels[k - sustained];
         const double after = levels[k];
-        const double jump = std::abs(10.0 * std::log10(after / before));
+        const double jump = std::max(after / before, before / after);
         if (jump > best) {
             best = jump;
             place = k;

@@ -1,6 +1,8 @@
 #include "stridor/sound/tones.hpp"
 
 #include "stridor/base/clones.hpp"
+#include "stridor/base/decibels.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/powers.hpp"
 #include "stridor/signal/spectrum.hpp"
@@ -21,8 +23,8 @@ constexpr double frame_time = 0.043;         // [s]
 constexpr double least_frequency = 150.0;    // [Hz] of a tone: below lies rumble
 constexpr double greatest_frequency = 12e3;  // [Hz] of a tone
 constexpr double weighted_from = 100.0;      // [Hz] for the centre and the spread
-constexpr double prominence = 7.943;         // [1] 9 dB
-constexpr double median_of_noise = 1.23;     // [1] e^gamma ln 2: the median power over the geometric mean
+constexpr double prominence = 2.98973;       // [octave] of power, 9 dB
+constexpr double median_of_noise = 0.29866;  // [octave] e^gamma ln 2, the median power over the geometric mean
 constexpr double half_band = 0.19;           // [1] a quarter octave as a share of the frequency
 constexpr std::size_t narrowest = 5;         // bins on either side
 constexpr double most_change = 0.03;         // [1] of a partial's frequency from frame to frame
@@ -57,11 +59,6 @@ STRIDOR_CLONES void weigh_lines(std::span<const double> power, std::span<const d
         to[k] = factor[k] * from[k];
         sums[k] += to[k];
     }
-}
-
-// the place of a line, in bins from the middle one of three: in the logarithm Hann's line is a parabola
-double place_within(double left, double centre, double right) {
-    return parabola_summit(std::log(left + tiny), std::log(centre + tiny), std::log(right + tiny)).place;
 }
 
 }  // namespace
@@ -107,19 +104,25 @@ std::vector<ToneFinder::Line> ToneFinder::lines_of(std::span<const double> power
     // what lies 120 dB below the strongest bin is no surrounding to stand out of
     const double least = *std::max_element(power.begin(), power.end()) * 1e-12 + tiny;
     const std::size_t end = std::min(power.size(), highest_ + band_of(highest_) + 1);
-    std::vector<double> logarithms(end + 1);
+    std::vector<double> above(end);
     for (std::size_t k = 0; k < end; ++k)
-        logarithms[k + 1] = logarithms[k] + std::log(power[k] + least);
+        above[k] = power[k] + least;
+    std::vector<double> octaves(end);
+    base::find_logarithms_2(above, octaves);
+    std::vector<double> sums(end + 1);
+    std::partial_sum(octaves.begin(), octaves.end(), sums.begin() + 1);
     std::vector<Line> lines;
     for (std::size_t k = lowest_; k < highest_; ++k) {
         if (!(power[k] > power[k - 1] && power[k] >= power[k + 1])) continue;
         const std::size_t band = band_of(k);
         const std::size_t from = k > band ? k - band : 1;
         const std::size_t to = std::min(end, k + band + 1);
-        const double surroundings =
-            median_of_noise * std::exp((logarithms[to] - logarithms[from]) / static_cast<double>(to - from));
-        if (!(power[k] > prominence * surroundings)) continue;
-        Line line{static_cast<double>(k) + place_within(power[k - 1], power[k], power[k + 1]), 0.0};
+        const double level = median_of_noise + (sums[to] - sums[from]) / static_cast<double>(to - from);
+        if (!(octaves[k] > prominence + level)) continue;
+        const double surroundings = base::power_of_2(level);
+        // in the logarithm Hann's line is a parabola
+        const double shift = parabola_summit(octaves[k - 1], octaves[k], octaves[k + 1]).place;
+        Line line{static_cast<double>(k) + shift, 0.0};
         for (std::size_t j = k - 2; j <= k + 2; ++j)
             line.energy += weights_[j] * std::max(0.0, power[j] - surroundings);
         lines.push_back(line);
@@ -232,10 +235,10 @@ void describe_spectrum(std::span<const double> spectrum, double width, Tones& to
     const auto from = static_cast<std::size_t>(std::ceil(weighted_from / width));
     std::vector<double> octaves;
     for (std::size_t k = from; k < spectrum.size(); ++k)
-        octaves.push_back(std::log2(static_cast<double>(k) * width));
+        octaves.push_back(base::logarithm_2(static_cast<double>(k) * width));
     const Deviation found = deviation_of(octaves, spectrum.subspan(from));
     if (!(found.mean > 0.0)) return;
-    tones.centre = std::exp2(found.mean);
+    tones.centre = base::power_of_2(found.mean);
     tones.spread = found.deviation;
 }
 
@@ -256,11 +259,11 @@ void ToneFinder::describe_spacing(const Frames& frames, Tones& tones) const {
             if (line.energy >= 0.01 * strongest) places.push_back(line.place);
         const double spacing = spacing_of(std::move(places));
         if (!(spacing > 0.0)) continue;
-        octaves.push_back(std::log2(spacing));
+        octaves.push_back(base::logarithm_2(spacing));
         weights.push_back(energy);
     }
     const double width = rate_ / static_cast<double>(size_);
-    if (!octaves.empty()) tones.spacing = width * std::exp2(deviation_of(octaves, weights).mean);
+    if (!octaves.empty()) tones.spacing = width * base::power_of_2(deviation_of(octaves, weights).mean);
 }
 
 Tones ToneFinder::find(std::span<const double> samples) {
@@ -292,7 +295,7 @@ Tones ToneFinder::find(std::span<const double> samples) {
         if (strongest[j].energy > 0.0) {
             const double frequency = strongest[j].place * width;
             tones.pitch.push_back({(static_cast<double>(j) + 1.0) * step, frequency});
-            pitches.push_back(std::log2(frequency));
+            pitches.push_back(base::logarithm_2(frequency));
             weights.push_back(strongest[j].energy);
         }
         tonal[j] = frames.power[j] > 0.0 ? std::min(1.0, tonal[j] / frames.power[j]) : 0.0;
