@@ -38,6 +38,15 @@ Case two_lips() {
     return c;
 }
 
+std::vector<JointSpring> stiffening_springs(const Joint& joint) {
+    const bool is_cubic = joint.stiffening == Stiffening::cubic;
+    std::vector<JointSpring> springs;
+    if (joint.stiffening == Stiffening::table || (is_cubic && joint.axial_cubic != 0.0))
+        springs.push_back(JointSpring::axial);
+    if (is_cubic && joint.flexural_cubic != 0.0) springs.push_back(JointSpring::flexural);
+    return springs;
+}
+
 std::optional<JointKey> joint_key(std::string_view key) {
     if (!key.starts_with(joint_opening)) return std::nullopt;
     const std::string_view rest = key.substr(joint_opening.size());

@@ -2,10 +2,12 @@
 
 #include "stridor/parameters/fields/field.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Cases with several joints on one plate. Each joint has a name, and the keys of `[joint]` and `[contact]` below it:
 /// "joint.lip2.mass", "joint.lip2.contact.preload".
@@ -23,6 +25,13 @@ bool is_of_joint(const Field& field);
 /// Returns the case of two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that
 /// moves evenly.
 Case two_lips();
+
+/// A spring of a joint that is not linear.
+enum class JointSpring { axial, flexural };
+inline constexpr std::array<std::string_view, 2> joint_spring_names{"axial", "flexural"};
+
+/// Returns the springs of a joint that are not linear: those that push with more than their stiffness.
+std::vector<JointSpring> stiffening_springs(const Joint& joint);
 
 /// A key of one joint: its name, and the key that it is for a case with one joint.
 struct JointKey {

@@ -110,18 +110,6 @@ void share_friction(Case& c) {
     c.own_structure = std::make_shared<const OwnStructure>(std::move(structure));
 }
 
-namespace {
-
-// "axial" and "flexural", where they are not linear
-void add_stiffening_names(const PlateJoint& joint, const std::string& whose, std::vector<std::string>& names) {
-    const bool is_cubic = joint.joint.stiffening == Stiffening::cubic;
-    if (joint.joint.stiffening == Stiffening::table || (is_cubic && joint.joint.axial_cubic != 0.0))
-        names.push_back(whose + "axial");
-    if (is_cubic && joint.joint.flexural_cubic != 0.0) names.push_back(whose + "flexural");
-}
-
-}  // namespace
-
 std::vector<std::string> names_of_springs(const Case& c) {
     std::vector<std::string> names;
     if (c.own_structure) {
@@ -130,7 +118,9 @@ std::vector<std::string> names_of_springs(const Case& c) {
         return names;
     }
     for (const PlateJoint& each : c.joints)
-        add_stiffening_names(each, has_several_joints(c) ? each.name + "." : "", names);
+        for (const JointSpring spring : stiffening_springs(each.joint))
+            names.push_back((has_several_joints(c) ? each.name + "." : "") +
+                            std::string(joint_spring_names[static_cast<std::size_t>(spring)]));
     return names;
 }
 

@@ -4,10 +4,10 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/linear/linearised.hpp"
+#include "stridor/parameters/joints.hpp"
 
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace stridor::model {
@@ -22,32 +22,35 @@ Eigen::Matrix2d rotated(double axial, double flexural, const base::SineCosine& a
     return Eigen::Matrix2d{{axial * c * c + flexural * s * s, across}, {across, axial * s * s + flexural * c * c}};
 }
 
+SpringLaw axial_law(const parameters::Joint& joint) {
+    if (joint.stiffening == parameters::Stiffening::cubic) return CubicSpring{joint.axial_cubic};
+    return table_spring(joint.axial_force.deflections, joint.axial_force.forces, parameters::Interpolation::cubic);
+}
+
 // A joint leans on its springs: at rest they bear the preload, n = (0, 1), as far as it acts along them.
 void add_stiffening(Structure& structure, Eigen::Index along, const parameters::PlateJoint& given) {
     const parameters::Joint& joint = given.joint;
     const double preload = given.contact.preload;
     const base::SineCosine angle = base::sine_cosine_of_degrees(joint.incidence_angle);
-    const auto add = [&](std::string_view name, double stiffness, SpringLaw law, double x, double y) {
+    const auto add = [&](parameters::JointSpring which, double stiffness, SpringLaw law, double x, double y) {
         Spring spring{Eigen::VectorXd::Zero(structure.load.size()), std::move(law)};
         spring.direction(along) = x;
         spring.direction(along + 1) = y;
         spring.rest = elongation_under(spring.law, stiffness, preload * y);
         if (!std::isfinite(spring.rest) || !(stiffness + stiffness_of(spring.law, spring.rest) > 0.0))
-            base::refuse("the joint gives way: its " + std::string(name) + " spring never holds " +
-                             base::shortest(std::abs(preload * y)) + " N",
+            base::refuse("the joint gives way: its " +
+                             std::string(parameters::joint_spring_names[static_cast<std::size_t>(which)]) +
+                             " spring never holds " + base::shortest(std::abs(preload * y)) + " N",
                          "that is its share of the preload at rest, and it softens too much",
                          "Lower contact.preload, or make it stiffer.");
         structure.springs.push_back(std::move(spring));
     };
     const double c = angle.cosine, s = angle.sine;
-    const bool is_cubic = joint.stiffening == parameters::Stiffening::cubic;
-    if (joint.stiffening == parameters::Stiffening::table)
-        add("axial", joint.axial_stiffness,
-            table_spring(joint.axial_force.deflections, joint.axial_force.forces, parameters::Interpolation::cubic), c,
-            s);
-    if (is_cubic && joint.axial_cubic != 0.0) add("axial", joint.axial_stiffness, CubicSpring{joint.axial_cubic}, c, s);
-    if (is_cubic && joint.flexural_cubic != 0.0)
-        add("flexural", joint.flexural_stiffness, CubicSpring{joint.flexural_cubic}, -s, c);
+    for (const parameters::JointSpring which : parameters::stiffening_springs(joint))
+        if (which == parameters::JointSpring::axial)
+            add(which, joint.axial_stiffness, axial_law(joint), c, s);
+        else
+            add(which, joint.flexural_stiffness, CubicSpring{joint.flexural_cubic}, -s, c);
 }
 
 }  // namespace
