@@ -14,14 +14,14 @@ option(STRIDOR_PAGE "Build the page of `stridor explore` into the program" ${str
 function(stridor_page file)
     set(folder "${PROJECT_SOURCE_DIR}/explorer")
     set(bundle "${CMAKE_CURRENT_BINARY_DIR}/page")
-    set(names index.html page.js chunk.js later.js page.css)
+    set(names index.html page.js chunk.js later.js microphone.js page.css)
     set(embed "${PROJECT_SOURCE_DIR}/cmake/embed.cmake")
     list(TRANSFORM names PREPEND "${bundle}/" OUTPUT_VARIABLE files)
     if(NOT STRIDOR_PAGE)
         file(WRITE "${bundle}/index.html"
             "<!doctype html><title>stridor</title><p>This stridor was built without its page "
             "(Node.js was missing, or STRIDOR_PAGE off). Install nodejs and npm, and build or install it once more.\n")
-        foreach(name page.js chunk.js later.js page.css)
+        foreach(name page.js chunk.js later.js microphone.js page.css)
             file(WRITE "${bundle}/${name}" "\n")
         endforeach()
         add_custom_command(OUTPUT "${file}"

@@ -1,4 +1,5 @@
-// Puts the page in one file together: page, styles, the workers' script and the core, as explorer/core builds it.
+// Puts the page in one file together: page, styles, the scripts of workers and of the microphone, and the core, as
+// explorer/core builds it.
 //
 //     node build_page.mjs CORE.wasm OUT.html
 //

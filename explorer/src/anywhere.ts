@@ -76,6 +76,8 @@ async function begin(): Promise<void> {
     carry(path, init) {
       // a case that cannot be opened says why in place of the page
       if (path === "/api/start" && opened !== null) return pool.carry("/api/open", { body: opened });
+      if (path === "/api/recording")
+        return pool.carry(path, { ...init, body: "microphone.wav" }, init.body as Uint8Array<ArrayBuffer>);
       const [, number, what] = /^\/api\/library\/(\d+)\/(audio|analysis)$/.exec(path) ?? [];
       const recording = recordings.at(Number(number));
       if (!recording) return pool.carry(path, init);

@@ -1,4 +1,5 @@
 /** Recordings that were opened in the page: they stand where those of a noise library stand, and stay in this tab. */
+import { wavHead, wavHeadSize } from "../data/last_seconds.ts";
 
 const largest = 64e6; // [bytes]
 const rate = 48_000; // [Hz] at which the browser decodes what the core does not read
@@ -54,27 +55,14 @@ async function decoded(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<Ui
   }
 }
 
-export function wavOf(sound: Pick<AudioBuffer, "numberOfChannels" | "length" | "sampleRate" | "getChannelData">) {
+/** As a WAV file of 32-bit numbers. */
+function wavOf(sound: AudioBuffer): Uint8Array<ArrayBuffer> {
   const { numberOfChannels: channels, length, sampleRate } = sound;
-  const head = 44;
-  const size = 4 * channels * length;
-  const view = new DataView(new ArrayBuffer(head + size));
-  const words = (at: number, text: string): void => [...text].forEach((c, k) => view.setUint8(at + k, c.charCodeAt(0)));
-  words(0, "RIFF");
-  view.setUint32(4, head - 8 + size, true);
-  words(8, "WAVEfmt ");
-  view.setUint32(16, 16, true);
-  view.setUint16(20, 3, true); // floating point
-  view.setUint16(22, channels, true);
-  view.setUint32(24, sampleRate, true);
-  view.setUint32(28, 4 * channels * sampleRate, true);
-  view.setUint16(32, 4 * channels, true);
-  view.setUint16(34, 32, true);
-  words(36, "data");
-  view.setUint32(40, size, true);
+  const view = wavHead(length, channels, sampleRate, { bytes: 4, kind: 3 });
   for (let channel = 0; channel < channels; ++channel) {
     const samples = sound.getChannelData(channel);
-    for (let k = 0; k < length; ++k) view.setFloat32(head + 4 * (k * channels + channel), samples[k] as number, true);
+    for (let k = 0; k < length; ++k)
+      view.setFloat32(wavHeadSize + 4 * (k * channels + channel), samples[k] as number, true);
   }
   return new Uint8Array(view.buffer);
 }

@@ -187,6 +187,12 @@ export function recordingAnalysis(id: number, signal?: AbortSignal): Promise<Ana
   return json(asked(`/api/library/${id}/analysis`, { signal: signal ?? null }));
 }
 
+/** A sound, as a WAV file, judged by ear. */
+export function heard(wav: Uint8Array<ArrayBuffer>, signal: AbortSignal): Promise<Analysis> {
+  const headers = { "Content-Type": "audio/wav" };
+  return json(asked("/api/recording", { method: "POST", headers, body: wav, signal }));
+}
+
 /** The number that a text with a unit is for a quantity, as `--set` takes it. */
 export async function value(key: string, text: string): Promise<number> {
   return (await json<Value>(post("/api/value", { key, text }))).value;

@@ -8,7 +8,9 @@ import { quantity, symbolText } from "../draw/format.ts";
 import type { Direction } from "../program/words.ts";
 import type { Design, Other } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
-import { SoundSlot } from "./sound_slot.ts";
+import { byEar, SoundSlot } from "./sound_slot.ts";
+import type { Microphone } from "./microphone.ts";
+import { Spectrogram } from "../draw/spectrogram.ts";
 import { SoundPicker } from "./spectra.ts";
 import type { Context, ViewPart } from "./views.ts";
 
@@ -26,6 +28,7 @@ export class Listen implements ViewPart {
   private readonly recordings_: HTMLSelectElement;
   private entries_: LibraryEntry[] | null = null;
   private last_: Context | null = null;
+  private microphone_: Microphone | null = null;
 
   constructor(
     private readonly store_: Store,
@@ -49,6 +52,7 @@ export class Listen implements ViewPart {
         button("Keep this cell as B", () => this.keep_(), { id: "keep" }),
         start_.library ? this.recordings_ : null,
         this.flip_,
+        button("Microphone", () => void this.listen_(), { id: "microphone", title: "Judge what is heard here" }),
         button("Forget B", () => store_.update({ other: null }), { id: "forget", class: "quiet" }),
       ),
       this.hint_,
@@ -71,6 +75,7 @@ export class Listen implements ViewPart {
   }
 
   hide(): void {
+    this.microphone_?.stop();
     this.a_.pause();
     this.b_.pause();
   }
@@ -83,6 +88,20 @@ export class Listen implements ViewPart {
     from.pause();
     to.currentTime = to.duration > 0 ? place % to.duration : 0;
     void to.play();
+  }
+
+  private async listen_(): Promise<void> {
+    try {
+      const { Microphone } = await import("./microphone.ts");
+      // what it would otherwise bring along once more
+      const questions = { heard: api.heard, sentence: api.sentence, isAbort: api.isAbort };
+      const tools = { h, button, setText, byEar, Spectrogram, ...questions };
+      this.microphone_ ??= new Microphone(tools, oneFile() ? "in this tab" : "by the stridor that serves this page");
+      this.b_.element.after(this.microphone_.element);
+      await this.microphone_.start();
+    } catch (error) {
+      setText(this.hint_, api.sentence(error));
+    }
   }
 
   private keep_(): void {

@@ -102,8 +102,9 @@ export class SoundSlot {
       });
   }
 
-  private judge_({ category, probability, reasons, segments }: Analysis["verdict"]): void {
-    setText(this.verdict_, `by ear: ${category}${reasons.length ? ` (${reasons.join("; ")})` : ""}`);
+  private judge_(verdict: Analysis["verdict"]): void {
+    const { category, probability, segments } = verdict;
+    setText(this.verdict_, byEar(verdict));
     const told = probability === null ? [] : segments.filter((each) => each.category === category).slice(0, mostTold);
     this.reasons_.replaceChildren(
       ...told.map(({ from, to, reasons: why }) =>
@@ -112,4 +113,9 @@ export class SoundSlot {
     );
     this.reasons_.hidden = told.length === 0;
   }
+}
+
+/** A verdict on a sound, and why. */
+export function byEar({ category, reasons }: Analysis["verdict"]): string {
+  return `by ear: ${category}${reasons.length ? ` (${reasons.join("; ")})` : ""}`;
 }

@@ -1,5 +1,5 @@
 // How soon the page in one file shows its first pictures, beside the server's, in one run:
-// `node tests/anywhere/speed.mjs`. Prints figures and judges none of them, for they are the machine's as well.
+// `node tests/anywhere/speed.mjs [TURNS]`. Prints medians and judges none of them, for they are the machine's as well.
 import { execFileSync } from "node:child_process";
 import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -38,17 +38,18 @@ async function timed(what, from) {
     await note(view, page.waitForSelector(`#view-${view}:not([hidden]):not(:has([aria-busy="true"]))`));
   }
   await browser.close();
-  console.log(
-    what.padEnd(9),
-    Object.entries(times)
-      .map(([name, time]) => `${name} ${time} ms`)
-      .join(", "),
-  );
+  for (const [name, time] of Object.entries(times)) ((taken[name] ??= {})[what] ??= []).push(time);
 }
 
-for (let turn = 0; turn < 3; ++turn) {
+const taken = {}; // [ms] by what was waited for and by carrier
+const turns = Number(process.argv[2] ?? 5);
+for (let turn = 0; turn < turns; ++turn) {
   await timed("server", explorer);
   await timed("one file", { origin: href, link: () => href });
 }
+const median = (times) => times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
+console.log(`median of ${turns} [ms]`.padEnd(20), "server".padStart(8), "one file".padStart(9));
+for (const [name, { "server": served, "one file": inside }] of Object.entries(taken))
+  console.log(name.padEnd(20), String(median(served)).padStart(8), String(median(inside)).padStart(9));
 await explorer.stop();
 await rm(folder, { recursive: true, force: true });

@@ -40,8 +40,8 @@ export async function startExplorer(options = []) {
   };
 }
 
-/** A page on the explorer, with the list of its sins. */
-export async function openPage(explorer, options = {}) {
+/** A page on the explorer, with the list of its sins; `switches` are further ones of the browser. */
+export async function openPage(explorer, { switches = [], ...options } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "stridor-browser-"));
   const context = await chromium.launchPersistentContext(folder, {
     executablePath,
@@ -57,6 +57,7 @@ export async function openPage(explorer, options = {}) {
       "--disable-component-update",
       "--disable-sync",
       "--autoplay-policy=no-user-gesture-required",
+      ...switches,
     ],
     ...options,
   });

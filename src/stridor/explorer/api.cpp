@@ -34,6 +34,7 @@ Response route(const World& world, const HttpRequest& request, const std::stop_t
         if (std::optional<Response> found = library(world, request.path)) return std::move(*found);
         return unknown(request);
     }
+    if (request.path == "/api/recording") return recording(request.body);
     if (request.path == "/api/report") return report(world, parse_body(request.body), stop);
     if (std::optional<Response> found = answer_at(world, request.path, request.body, stop)) return std::move(*found);
     return unknown(request);
@@ -46,6 +47,7 @@ const PageFile* page_file(std::string_view path) {
                                   PageFile{"/page.js", "text/javascript; charset=utf-8", text_of(page_js)},
                                   PageFile{"/chunk.js", "text/javascript; charset=utf-8", text_of(chunk_js)},
                                   PageFile{"/later.js", "text/javascript; charset=utf-8", text_of(later_js)},
+                                  PageFile{"/microphone.js", "text/javascript; charset=utf-8", text_of(microphone_js)},
                                   PageFile{"/page.css", "text/css; charset=utf-8", text_of(page_css)}};
     const auto found =
         std::find_if(files.begin(), files.end(), [&](const PageFile& file) { return file.path == path; });

@@ -132,8 +132,11 @@ std::optional<Response> Gate::stop(const HttpRequest& request) {
     const bool lacks_origin = !is_get && request.origin.empty();
     if (is_foreign || has_other_origin || lacks_origin)
         return plain(403, "The explorer answers its own page only, and this request comes from another one.");
-    if (!is_get && !request.content_type.starts_with("application/json"))
-        return plain(415, "Requests are JSON: Content-Type: application/json.");
+    // neither is a type that a foreign page's form can send
+    const bool is_sound = request.path == "/api/recording";
+    if (!is_get && !request.content_type.starts_with(is_sound ? "audio/wav" : "application/json"))
+        return plain(415, is_sound ? "A recording is a WAV file: Content-Type: audio/wav."
+                                   : "Requests are JSON: Content-Type: application/json.");
     return std::nullopt;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, std::string>> security_headers(const std::str
         {"Referrer-Policy", "no-referrer"},
         {"Cross-Origin-Opener-Policy", "same-origin"},
         {"Cross-Origin-Resource-Policy", "same-origin"},
-        {"Permissions-Policy", "camera=(), microphone=(), geolocation=()"},
+        {"Permissions-Policy", "camera=(), microphone=(self), geolocation=()"},
         {"Cache-Control", "no-store"}};
 }
 

@@ -313,6 +313,19 @@ TEST(Api, ShowsPlaysAndHearsTheLibrary) {
     EXPECT_NE(refusal(ask(entry + "/analysis"), 500).find("damaged"), std::string::npos);
 }
 
+TEST(Api, JudgesTheSoundOfAMicrophone) {
+    const std::string wav = recordings::wav_bytes(tone(), {1.0, "Pa"});
+    const Response response = post("/api/recording", wav);
+    ASSERT_EQ(response.status, 200) << response.body;
+    const json heard = json::parse(response.body);
+    EXPECT_EQ(heard["verdict"]["category"], "squeal");
+    EXPECT_GT(heard["verdict"]["probability"], 0.5);
+    EXPECT_EQ(heard["spectrogram"]["rows"], heard["spectrogram"]["time"].size());
+    for (const std::string& other : {std::string(), std::string("{\"preset\": \"squeal\"}"), "OggS" + wav.substr(4)})
+        EXPECT_NE(refusal(post("/api/recording", other), 400).find("no WAV file"), std::string::npos) << other.size();
+    refusal(post("/api/recording", wav.substr(0, 200)), 400);
+}
+
 TEST(Api, PrintsACommandThatAShellTakesForOne) {
     json body = design({"drive.kind=constant", "drive.velocity=0.1 m/s", "title=it's; touch /tmp/x"});
     body["samples"] = 8;

@@ -160,6 +160,21 @@ TEST_F(GateTest, LetsItsOwnPageThrough) {
     EXPECT_EQ(status(page), 0);
 }
 
+// which the program hears from its page alone, as all that is posted
+TEST_F(GateTest, LetsTheSoundOfItsOwnPageThrough) {
+    HttpRequest request = post(session());
+    request.path = "/api/recording";
+    EXPECT_EQ(status(request), 415);
+    request.content_type = "audio/wav";
+    EXPECT_EQ(status(request), 0);
+    request.origin = "http://elsewhere.example";
+    EXPECT_EQ(status(request), 403);
+    request.origin.clear();
+    EXPECT_EQ(status(request), 403);
+    request.cookie.clear();
+    EXPECT_EQ(status(request), 401);
+}
+
 TEST_F(GateTest, OpensOnceForEachTokenAndSetsACookieThatScriptsDoNotSee) {
     const std::string token = tokens_.back();
     EXPECT_EQ(token.size(), 64U);
@@ -242,6 +257,8 @@ TEST_F(GateTest, RefusesOtherMethodsAndTypes) {
     request.content_type = "text/plain";
     EXPECT_EQ(status(request), 415);
     request.content_type = "";
+    EXPECT_EQ(status(request), 415);
+    request.content_type = "audio/wav";
     EXPECT_EQ(status(request), 415);
     for (const char* method : {"PUT", "OPTIONS", "HEAD", "DELETE", "TRACE", "get", ""}) {
         request.method = method;

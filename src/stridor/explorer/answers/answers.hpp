@@ -100,4 +100,7 @@ Response chart(const World& world, const Json& body, const std::stop_token& stop
 /// Returns the answer at /api/library and below, or `std::nullopt` for an unknown path.
 std::optional<Response> library(const World& world, std::string_view path);
 
+/// Returns "stridor.explorer.analysis/1" of a WAV file, which is kept nowhere.
+Response recording(std::string wav);
+
 }  // namespace stridor::explorer

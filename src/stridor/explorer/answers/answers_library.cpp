@@ -9,7 +9,9 @@
 #include <charconv>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace stridor::explorer {
 
@@ -73,6 +75,13 @@ Response entry_analysis(const World& world, std::int64_t id) {
 }
 
 }  // namespace
+
+// a sound has one mark: what other formats hold is read on the command line alone
+Response recording(std::string wav) {
+    if (!wav.starts_with("RIFF"))
+        throw Error(ErrorKind::input, {"this is no WAV file", "the page sends what a microphone hears as one", ""});
+    return analysis_of(*recordings::open_signal({recordings::bytes_of(std::move(wav)), "the recording", {}}));
+}
 
 std::optional<Response> library(const World& world, std::string_view path) {
     constexpr std::string_view root = "/api/library";
