@@ -1,11 +1,11 @@
 """Asks whether a pause, a cut or a gain changes what `stridor classify` hears.
 
-    python3 invariance.py FOLDER=TABLE.csv ... [--program build/stridor]
+    python3 invariance.py FOLDER=TABLE.csv ... [--program build/stridor] [--only WORDS]
 
 Each clip is changed in each of the ways below, and heard. Printed is a table: for each way the number of clips that
 get another category than the clip as it is, of those of sure label the number that is right, and the same of noises and
 of creaks alone. A pause is digital silence, or room noise 45 dB below the clip. Every clip has a seed of its own: the
-table is always the same. Of a stereo clip the louder channel is heard.
+table is always the same. Of a clip of several channels the louder one is taken, in the last row their mean.
 
 Needs NumPy and soundfile.
 """
@@ -43,17 +43,28 @@ def later(samples, rate):
     return samples[first:] if len(samples) > 2 * first else samples
 
 
+def stereo(samples, level):
+    """The clip on the left, and on the right the same so many dB softer."""
+    return np.column_stack([samples, samples * 10.0 ** (-level / 20.0)])
+
+
+# of the louder channel x, and the mean of all channels, the mix
 KINDS = {
-    "unchanged": lambda x, rate, random: x,
-    "silence of 0.7 s in front": lambda x, rate, random: np.concatenate([silence(rate, 0.7), x]),
-    "silence of 5 s in front": lambda x, rate, random: np.concatenate([silence(rate, 5.0), x]),
-    "room noise of 0.7 s in front": lambda x, rate, random: np.concatenate([room(x, rate, 0.7, random), x]),
-    "room noise of 5 s in front": lambda x, rate, random: np.concatenate([room(x, rate, 5.0, random), x]),
-    "room noise of 2 s behind": lambda x, rate, random: np.concatenate([x, room(x, rate, 2.0, random)]),
-    "twice in a row": lambda x, rate, random: np.concatenate([x, x]),
-    "twice, room noise of 1 s between": lambda x, rate, random: np.concatenate([x, room(x, rate, 1.0, random), x]),
-    "begun 0.2 s later": lambda x, rate, random: later(x, rate),
-    "20 dB softer": lambda x, rate, random: 0.1 * x,
+    "unchanged": lambda x, mix, rate, random: x,
+    "silence of 0.7 s in front": lambda x, mix, rate, random: np.concatenate([silence(rate, 0.7), x]),
+    "silence of 5 s in front": lambda x, mix, rate, random: np.concatenate([silence(rate, 5.0), x]),
+    "room noise of 0.7 s in front": lambda x, mix, rate, random: np.concatenate([room(x, rate, 0.7, random), x]),
+    "room noise of 5 s in front": lambda x, mix, rate, random: np.concatenate([room(x, rate, 5.0, random), x]),
+    "room noise of 2 s behind": lambda x, mix, rate, random: np.concatenate([x, room(x, rate, 2.0, random)]),
+    "twice in a row": lambda x, mix, rate, random: np.concatenate([x, x]),
+    "twice, room noise of 1 s between": lambda x, mix, rate, random: np.concatenate([x, room(x, rate, 1.0, random), x]),
+    "begun 0.2 s later": lambda x, mix, rate, random: later(x, rate),
+    "20 dB softer": lambda x, mix, rate, random: 0.1 * x,
+    "stereo, both alike": lambda x, mix, rate, random: stereo(x, 0.0),
+    "stereo, the right 1.4 dB softer": lambda x, mix, rate, random: stereo(x, 1.4),
+    "stereo, the right 3 dB softer": lambda x, mix, rate, random: stereo(x, 3.0),
+    "stereo, the right silent": lambda x, mix, rate, random: stereo(x, np.inf),
+    "the mix of its channels": lambda x, mix, rate, random: mix,
 }
 
 
@@ -66,10 +77,13 @@ def read_table(folder, table):
     return rows
 
 
-def louder(path):
+def read_clip(path):
+    """The louder channel of a clip, the mean of its channels, and the rate [Hz]. The louder one has a peak of 0.5."""
     samples, rate = soundfile.read(path, always_2d=True)
     samples = samples[: int(LONGEST * rate)]
-    return samples[:, np.argmax((samples**2).sum(axis=0))], rate
+    louder = samples[:, np.argmax((samples**2).sum(axis=0))]
+    scale = 0.5 / max(np.abs(louder).max(), 1e-9)
+    return scale * louder, scale * samples.mean(axis=1), rate
 
 
 def heard(program, folder):
@@ -84,9 +98,8 @@ def heard(program, folder):
 def categories(program, rows, change, kind):
     with tempfile.TemporaryDirectory() as folder:
         for place, row in enumerate(rows):
-            samples, rate = louder(row["path"])
-            samples = samples / max(np.abs(samples).max(), 1e-9) * 0.5
-            changed = change(samples, rate, np.random.default_rng([place, kind]))
+            louder, mix, rate = read_clip(row["path"])
+            changed = change(louder, mix, rate, np.random.default_rng([place, kind]))
             soundfile.write(os.path.join(folder, f"{place}.wav"), changed, rate, subtype="FLOAT")
         found = heard(program, folder)
     return [found.get(str(place), "") for place in range(len(rows))]
@@ -111,11 +124,14 @@ def main():
     parser = argparse.ArgumentParser(description="Asks whether pauses, cuts and gains change what is heard.")
     parser.add_argument("clips", nargs="+", metavar="FOLDER=TABLE.csv")
     parser.add_argument("--program", default="build/stridor")
+    parser.add_argument("--only", metavar="WORDS", default="", help="ways whose name has these words, such as stereo")
     options = parser.parse_args()
     rows = [row for pair in options.clips for row in read_table(*pair.split("=", 1))]
     print("| | another category | sure clips right | noises | creaks |\n| --- | --- | --- | --- | --- |")
     usual = None
     for kind, (name, change) in enumerate(KINDS.items()):
+        if usual and options.only not in name:
+            continue
         found = categories(options.program, rows, change, kind)
         usual = usual or found
         print(f"| {name} | {line(rows, found, usual)} |", flush=True)
