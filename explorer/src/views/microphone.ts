@@ -21,6 +21,7 @@ export interface Tools {
 
 const longest = 10; // [s] that are judged
 const pace = 100; // [ms] between two looks at what is new; the browser keeps two thirds of a second at 48 kHz
+const patience = 30; // [1] such looks before it is told that nothing comes
 const mostKept = 32_768; // [1] samples that it keeps
 const often = 2; // [s] between two verdicts
 const mostBytes = 1e6; // of a question that the program takes; of 16 bits, ten seconds at 48 kHz
@@ -37,6 +38,9 @@ const problems: Record<string, string> = {
 const closed =
   "This browser gives the page no microphone (it is too old, or the address is neither this machine's nor https). " +
   "Record with another program, and open the recording by Share.";
+const still =
+  "The browser's audio does not run (some want a loudspeaker for it). Connect one and start once more, " +
+  "or open a recording by Share.";
 
 /** One time of listening, from start to stop. */
 interface Session {
@@ -137,11 +141,14 @@ export class Microphone {
     const newest = new Float32Array(mostKept);
     const framesNow = (): number => Math.round(context.currentTime * context.sampleRate);
     let before = framesNow();
+    let looks = 0;
+    void context.resume();
     session.timer = setInterval(() => {
       const now = framesNow();
       analyser.getFloatTimeDomainData(newest);
       last.follow(newest, now - before);
       before = now;
+      if (++looks === patience && last.heard === 0) this.say_(still);
       this.showLevel_(last.level);
       if (last.heard - this.judged_ >= often && !this.judging_) void this.judge_(session);
     }, pace);

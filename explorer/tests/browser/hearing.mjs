@@ -57,8 +57,8 @@ export async function expectHeard(page, picture) {
 }
 
 /** Says what to do where nothing is heard. */
-export async function expectUnheard(page, words) {
+export async function expectUnheard(page, words, next = "Start") {
   await page.locator("#microphone").click();
   await until(async () => words.test(await told(page)), `"${words}"`);
-  assert.equal(await page.locator("#microphone-stop").textContent(), "Start");
+  assert.equal(await page.locator("#microphone-stop").textContent(), next);
 }
