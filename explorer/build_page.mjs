@@ -77,6 +77,7 @@ const html = `<!doctype html>
 <style>${inert(page.style)}</style>
 </head>
 <body>
+<p>Stridor</p>
 <noscript>This page needs JavaScript.</noscript>
 <script type="application/json" id="stridor-case">null</script>
 <script type="text/plain" id="stridor-worker">${inert(worker.script)}</script>

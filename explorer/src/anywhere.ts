@@ -6,6 +6,7 @@ import { Recordings } from "./anywhere/recordings.ts";
 import { openable, sentence } from "./data/api.ts";
 import { carryInside } from "./data/carrier.ts";
 import { fragment, hasAddress, visit } from "./state/place.ts";
+import { body, designIn, ownPreset, paperPreset } from "./state/state.ts";
 
 const fewest = 2; // workers: a chart does not keep a verdict waiting
 
@@ -65,15 +66,24 @@ async function begin(): Promise<void> {
   if (problem) throw new Error(problem);
   const file = textOfFile();
   await seen();
+  const maker = workerMaker(fewest);
   const module = await compiledCore().catch((error: unknown) => {
     if (!/memory/i.test(sentence(error))) throw error;
     throw new Error("The browser gives this page no memory for the program in it. Close other tabs and reload it.");
   });
   const most = Math.max(fewest, navigator.hardwareConcurrency || fewest);
   const opened = caseToBegin();
-  const pool = new Pool(workerMaker(), { module, opened }, most);
+  const pool = new Pool(maker, { module, opened }, most);
+  const first = JSON.stringify(body(designIn(fragment(), opened === null ? paperPreset : ownPreset)));
+  let early: Promise<Response> | null = pool.carry("/api/simulate", { body: first }); // while the page is laid out
+  early.catch(() => {}); // told when it is asked for
   carryInside({
     carry(path, init) {
+      if (path === "/api/simulate" && init.body === first && early) {
+        const answer = early;
+        early = null;
+        return answer;
+      }
       // a case that cannot be opened says why in place of the page
       if (path === "/api/start" && opened !== null) return pool.carry("/api/open", { body: opened });
       if (path === "/api/recording")
@@ -87,7 +97,7 @@ async function begin(): Promise<void> {
     recording: (number) => recordings.at(number)?.name ?? "",
     saved: (toml) => {
       const files = opened === null ? {} : openedIn(opened).files;
-      return fileWithCase(file, textOf(withNamedFiles({ toml, files })));
+      return fileWithCase(file(), textOf(withNamedFiles({ toml, files })));
     },
     open,
   });

@@ -12,7 +12,7 @@ import { setUnits, unitSystems, type UnitSystem } from "./draw/format.ts";
 import { onLook, relook, setTheme } from "./draw/theme.ts";
 import { Clock } from "./state/clock.ts";
 import { kept, keptInTab } from "./state/place.ts";
-import { themes, type Design, type State } from "./state/state.ts";
+import { ownPreset, paperPreset, themes, type Design, type State } from "./state/state.ts";
 import { Shown } from "./state/shown.ts";
 import { Store, type Step } from "./state/store.ts";
 import { Chart } from "./views/chart.ts";
@@ -33,9 +33,10 @@ const tourSeen = "stridor-tour"; // in the session's storage: the tour was begun
 const later = () => import("./later.ts");
 
 function defaultsOf(start: Start): State {
-  const own = start.presets.find(({ name }) => name === "file") ?? start.presets.find(({ name }) => name === "squeal");
+  const named = (preset: string) => start.presets.find(({ name }) => name === preset);
+  const own = named(ownPreset) ?? named(paperPreset);
   return {
-    design: { preset: (own ?? start.presets[0])?.name ?? "squeal", set: {} },
+    design: { preset: (own ?? start.presets[0])?.name ?? paperPreset, set: {} },
     ...{ figure: "category", x: start.chart.x, y: start.chart.y, ...own?.chart },
     direction: "going",
     view: "response",

@@ -31,14 +31,16 @@ export function beginAnew(opened: string): void {
   location.reload();
 }
 
-/** The whole text of the file; to be taken before the page changes it. */
-export function textOfFile(): string {
-  return `<!doctype html>\n${document.documentElement.outerHTML}\n`;
+/** Gives the whole text of the file as it stands now, whatever the page changes until it is wanted. */
+export function textOfFile(): () => string {
+  const whole = document.documentElement.cloneNode(true) as Element;
+  return () => `<!doctype html>\n${whole.outerHTML}\n`;
 }
 
-/** The letters of the file's encoding, windows-1252, in which each byte is one. */
+/** The bytes of the letters in the file's encoding, windows-1252; of others that of "?". */
+const byteOf = new Uint8Array(0x10000).fill(63);
 const letters = new TextDecoder("windows-1252").decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
-const byteOf = new Map([...letters].map((letter, byte) => [letter, byte]));
+for (let byte = 0; byte < letters.length; ++byte) byteOf[letters.charCodeAt(byte)] = byte;
 
 /** The bytes of the file with a case (opened.ts) in it; no text ends the element that holds it. */
 export function fileWithCase(file: string, opened: string): Uint8Array<ArrayBuffer> {
@@ -49,17 +51,22 @@ export function fileWithCase(file: string, opened: string): Uint8Array<ArrayBuff
     /[<\u0080-\uffff]/g,
     (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`,
   );
-  return Uint8Array.from(file.slice(0, from) + json + file.slice(to), (letter) => byteOf.get(letter) ?? 63);
+  const text = file.slice(0, from) + json + file.slice(to);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = byteOf[text.charCodeAt(k)] as number;
+  return bytes;
 }
+
+const escape = "=".charCodeAt(0);
 
 /** The bytes that build_page.mjs wrote as letters: `=` and another letter are one that HTML would change. */
 export function bytesOf(text: string): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(text.length);
   let length = 0;
   for (let k = 0; k < text.length; ++k) {
-    const isEscaped = text[k] === "=";
+    const isEscaped = text.charCodeAt(k) === escape;
     if (isEscaped) ++k;
-    bytes[length++] = (byteOf.get(text[k] as string) as number) - (isEscaped ? 64 : 0);
+    bytes[length++] = (byteOf[text.charCodeAt(k)] as number) - (isEscaped ? 64 : 0);
   }
   return bytes.subarray(0, length);
 }
@@ -68,17 +75,19 @@ export function bytesOf(text: string): Uint8Array<ArrayBuffer> {
 export async function compiledCore(): Promise<WebAssembly.Module> {
   const packed = new Blob([bytesOf(partOf("stridor-core"))]);
   const unpacked = packed.stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "Content-Type": "application/wasm" } }));
 }
 
-/** Makes workers that run the script in the file. */
-export function workerMaker(): () => Worker {
+/** Makes workers that run the script in the file; the first ones, so many, load while the core is unpacked. */
+export function workerMaker(first: number): () => Worker {
   const url = URL.createObjectURL(new Blob([partOf("stridor-worker")], { type: "text/javascript" }));
-  return () => {
+  const made = (): Worker => {
     try {
       return new Worker(url);
     } catch {
       throw new Error(noWorkers);
     }
   };
+  const waiting = Array.from({ length: first }, made);
+  return () => waiting.pop() ?? made();
 }

@@ -151,6 +151,9 @@ function readSet(parts: readonly string[]): Record<string, string> {
   return set;
 }
 
+/** The case that a page begins with: the one that it was opened with, or one of the paper's. */
+export const [ownPreset, paperPreset] = ["file", "squeal"];
+
 /** Most characters of a fragment: a whole case and one it is compared with take some 4000. */
 export const longestFragment = 8000;
 
@@ -169,26 +172,39 @@ export function toFragment(state: State): string {
   return parts.join("&");
 }
 
-/** The state that a fragment says; what it does not say, or says wrongly, is as in the defaults. */
-export function fromFragment(fragment: string, defaults: State): State {
-  const parts = fragment.length > longestFragment + 1 ? [] : fragment.replace(/^#/, "").split("&");
+function partsOf(fragment: string): string[] {
+  return fragment.length > longestFragment + 1 ? [] : fragment.replace(/^#/, "").split("&");
+}
+
+function namedIn(parts: readonly string[]): Map<string, string> {
   const named = new Map<string, string>();
   for (const part of parts) {
     const at = part.indexOf("=");
     if (at > 0 && !isKey(part.slice(0, at))) named.set(part.slice(0, at), part.slice(at + 1));
   }
+  return named;
+}
+
+/** The design of a fragment; of one that names no case, `usual` is its case. */
+export function designIn(fragment: string, usual: string): Design {
+  const parts = partsOf(fragment);
+  const preset = namedIn(parts).get("preset");
+  return { preset: preset === undefined ? usual : decode(preset), set: readSet(parts) };
+}
+
+/** The state that a fragment says; what it does not say, or says wrongly, is as in the defaults. */
+export function fromFragment(fragment: string, defaults: State): State {
+  const parts = partsOf(fragment);
+  const named = namedIn(parts);
   const word = <T extends string>(name: string, allowed: readonly T[], usual: T): T => {
     const value = decode(named.get(name) ?? "");
     return allowed.includes(value as T) ? (value as T) : usual;
   };
   const [from, to] = (named.get("span") ?? "").split(":").map(Number);
-  const design = named.has("preset")
-    ? { preset: decode(named.get("preset") ?? ""), set: readSet(parts) }
-    : { preset: defaults.design.preset, set: readSet(parts) };
   const x = readAxis(named.get("x") ?? null, defaults.x);
   const y = readAxis(named.get("y") ?? null, defaults.y);
   return {
-    design,
+    design: designIn(fragment, defaults.design.preset),
     ...(x.parameter === y.parameter ? { x: defaults.x, y: defaults.y } : { x, y }),
     figure: decode(named.get("figure") ?? "") || (named.has("preset") ? "category" : defaults.figure),
     direction: word("direction", directions, defaults.direction),
@@ -213,6 +229,6 @@ export function command(design: Design, file = "CASE.toml"): string {
   const options = overrides(design)
     .map((text) => ` --set ${word(text)}`)
     .join("");
-  if (design.preset === "file") return `stridor simulate ${word(file)}${options}`;
+  if (design.preset === ownPreset) return `stridor simulate ${word(file)}${options}`;
   return `stridor init ${word(design.preset)} | stridor simulate -${options}`;
 }

@@ -9,7 +9,7 @@ import { button, download, h, setText } from "../draw/dom.ts";
 import { plotBox } from "../draw/map.ts";
 import type { Surface } from "../draw/surface.ts";
 import { hasAddress, visit } from "../state/place.ts";
-import { command, longestFragment, toFragment, type Axis, type Design } from "../state/state.ts";
+import { command, longestFragment, ownPreset, toFragment, type Axis, type Design } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
 import type { Chart } from "./chart.ts";
 
@@ -79,7 +79,7 @@ export class Share {
 
   /** A design that leans on no file of this machine. */
   private async whole_(design: Design): Promise<Design> {
-    return design.preset === "file" ? api.share(design) : design;
+    return design.preset === ownPreset ? api.share(design) : design;
   }
 
   private async link_(): Promise<string> {

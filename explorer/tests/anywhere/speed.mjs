@@ -22,6 +22,7 @@ async function timed(what, from) {
     await seen;
     times[name] = Math.round(performance.now() - begin);
   };
+  await page.waitForTimeout(2000); // the browser's own start
   let begin = performance.now();
   await browser.goto();
   await Promise.all([
@@ -32,6 +33,8 @@ async function timed(what, from) {
     ),
     note("whole chart", page.waitForSelector('#chart[data-done="true"]')),
   ]);
+  const painted = () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime;
+  times["first letters"] = Math.round(await page.evaluate(painted));
   for (const view of views) {
     begin = performance.now();
     await page.locator(`#tab-${view}`).click();
