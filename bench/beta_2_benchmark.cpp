@@ -1,5 +1,6 @@
 // Speed of the beta_2 engine, items being time steps, and what a run leaves in memory.
 
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 

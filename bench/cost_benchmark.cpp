@@ -1,10 +1,16 @@
-// What a simulated second costs against the number of contacts and of modes, by events and by steps. Prints a table,
-// and draws it where a file is named: `build-bench/benchmarks/cost_benchmark cost.png`.
+// What a simulated second costs against the number of contacts and of modes, by events and by steps, and what ready
+// cases cost beside what `stridor check` tells. Prints tables, and draws the first two where a file is named:
+// `build-bench/benchmarks/cost_benchmark cost.png`.
 
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/series/taylor.hpp"
+#include "stridor/integration/simulate.hpp"
 #include "stridor/integration/steps/moreau.hpp"
+#include "stridor/io/case/ready_files.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
 #include "stridor/model/built/bowed_string.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/storage/atomic_file.hpp"
@@ -90,6 +96,19 @@ void print(const char* what, const std::vector<Cost>& costs) {
         fmt::print("| {} | {} | {:.2g} | {:.2g} |\n", cost.modes, cost.contacts, cost.events, cost.steps);
 }
 
+// runs without early endings, long enough to be timed
+void print_told(const std::vector<std::string>& ready_cases) {
+    fmt::print("| ready case | told [s] | took [s] |\n| --- | --- | --- |\n");
+    for (const std::string& name : ready_cases) {
+        parameters::Case c = io::read_case(io::parse_toml({io::ready_file(name), name, {}}));
+        c.run.early_ending = parameters::EarlyEnding::never;
+        c.run.duration *= std::max(1.0, 0.2 / integration::cost(c).seconds);
+        const double begin = processor_time();
+        integration::simulate(c);
+        fmt::print("| {} | {:.2g} | {:.2g} |\n", name, integration::cost(c).seconds, processor_time() - begin);
+    }
+}
+
 constexpr drawing::Colour colour_of_steps{0xB0, 0x5A, 0x00};
 
 drawing::Panel panel_of(const std::vector<Cost>& costs, std::size_t Cost::*along) {
@@ -148,6 +167,7 @@ int main(int count, char** arguments) {
     const std::vector<Cost> strips = costs_of_strips(), strings = costs_of_strings();
     print("strip of rubber", strips);
     print("bowed string", strings);
+    print_told({"squeal", "weatherstrip", "wiper", "wiper-wet", "seal-lip", "two-lips", "chain", "string"});
     if (!argument.empty() && !argument.starts_with("--")) draw(argument, strips, strings);
     return 0;
 }

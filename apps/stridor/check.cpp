@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "stridor/console/results/case_text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/failure.hpp"
-#include "stridor/integration/simulate.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/laws/friction.hpp"
 #include "stridor/model/laws/rest.hpp"

@@ -1,6 +1,7 @@
 // The exact engine on cases far from sensible: it ends, with numbers, in the laws of the model, having missed no event.
 
 #include "stridor/base/error.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/fields/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"

@@ -7,6 +7,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/console/results/simulation_text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/simulation/end_state_file.hpp"

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/fields/field.hpp"
@@ -58,7 +59,7 @@ const Preset& preset_in(const World& world, const Json& body) {
 // a slow structure may take minutes of its time, and little of ours
 bool is_slow_enough(const parameters::Case& c) {
     constexpr double most = 5.0;  // [s] of one core
-    return !parameters::has_plate(c) && run_seconds(c) <= most;
+    return !parameters::has_plate(c) && integration::cost(c).seconds <= most;
 }
 
 void limit_run(const parameters::Case& c) {

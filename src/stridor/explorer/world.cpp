@@ -1,10 +1,10 @@
 #include "stridor/explorer/world.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/range_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "stridor/model/built/case_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/parameters/system.hpp"
 #include "stridor/sweep/ready_charts.hpp"
@@ -75,14 +75,6 @@ const Preset& preset_named(const World& world, std::string_view name) {
 
 namespace {
 
-// [1/s] bound of the angular frequencies: Gershgorin's, where the mass is diagonal
-double highest_rate(const model::Structure& structure) {
-    double highest = 0.0;
-    for (Eigen::Index row = 0; row < structure.mass.rows(); ++row)
-        highest = std::max(highest, structure.stiffness.row(row).cwiseAbs().sum() / structure.mass(row, row));
-    return std::sqrt(highest);
-}
-
 // a joint that does not stiffen takes milliseconds, whatever it is
 bool takes_long(const parameters::Case& c) {
     return !parameters::has_plate(c) || !parameters::names_of_springs(c).empty();
@@ -95,7 +87,8 @@ int chart_points(const parameters::Case& c) {
     const double most = !parameters::has_plate(c)      ? of_structure
                         : parameters::has_one_joint(c) ? of_joints
                                                        : of_several;
-    return static_cast<int>(takes_long(c) ? std::clamp(std::sqrt(wait / run_seconds(c)), fewest, most) : most);
+    return static_cast<int>(takes_long(c) ? std::clamp(std::sqrt(wait / integration::cost(c).seconds), fewest, most)
+                                          : most);
 }
 
 io::AxisTexts axes_around(const parameters::Case& c) {
@@ -104,22 +97,6 @@ io::AxisTexts axes_around(const parameters::Case& c) {
 }
 
 }  // namespace
-
-double run_seconds(const parameters::Case& c) {
-    // [s] of one core in each step of 1/omega
-    constexpr double row = 3.3e-8;          // a contact takes as much again
-    constexpr double series = 7.5e-7;       // twice, and again for a contact, where there are springs
-    constexpr double spring = 1.5e-6;       // each
-    constexpr double row_of_spring = 2e-8;  // and for each row
-    const model::Structure structure = model::structure_of(c);
-    const auto rows = static_cast<double>(model::dofs_of(structure));
-    const auto contacts = static_cast<double>(structure.contacts.size());
-    const auto springs = static_cast<double>(structure.springs.size());
-    const double steps = c.run.duration * highest_rate(structure);
-    const double by_series =
-        springs == 0.0 ? 0.0 : series * (2.0 + contacts) + springs * (spring + rows * row_of_spring);
-    return steps * (rows * (1.0 + contacts) * row + by_series);
-}
 
 Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers) {
     Preset preset{"file", source.text, source.name, source.overrides};

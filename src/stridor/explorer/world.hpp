@@ -53,12 +53,6 @@ std::vector<Preset> paper_presets();
 /// quantity of the structure. Throws `Error` for a file that is not a case.
 Preset preset_of(const io::TomlSource& source, const io::CaseReaders& readers);
 
-/// Returns about how long one core runs a case with an own structure, or with joints that stiffen [s]. Springs that are
-/// not linear take most of it. Measured within a factor of three of a string of 41 rows with and without springs, of 2
-/// to 48 rows with up to 12 contacts and 4 springs, and of the ready joints; where springs push much more than the
-/// stiffness beside them it takes longer. A joint that does not stiffen is not told: it takes milliseconds.
-double run_seconds(const parameters::Case& c);
-
 /// Returns the preset of this name. Throws `Error` (input) for an unknown name.
 const Preset& preset_named(const World& world, std::string_view name);
 

@@ -1,7 +1,7 @@
 #include "stridor/integration/failure.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/integration/simulate.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/parameters/rules/engines.hpp"
 #include "stridor/parameters/system.hpp"
 

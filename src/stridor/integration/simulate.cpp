@@ -90,22 +90,6 @@ Motion run_any_size(const parameters::Case& c, const model::Structure& structure
 
 }  // namespace
 
-Cost cost(const parameters::Case& c) {
-    const double steps = std::ceil(1.5 * c.run.duration / c.run.step);  // at the step and at twice the step
-    const auto limit_without_inertia = [&] {
-        return longest_step(massless_structure(model::structure_of(c), c.run.massless_above));
-    };
-    if (parameters::is_without_inertia(c)) return {steps, 0.5 * limit_without_inertia()};
-    const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
-    if (parameters::engine_of(c) == Engine::exact)
-        return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
-    double limit =
-        parameters::engine_of(c) == Engine::moreau ? std::numbers::pi / fastest : stable_step(c.run.beta_2, fastest);
-    const std::size_t formulations = parameters::methods_of(c).size();
-    if (formulations > 1) limit = std::min(limit, limit_without_inertia());
-    return {steps * static_cast<double>(formulations), 0.5 * limit};
-}
-
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
     Workspace workspace;
     return simulate(c, request, std::move(stop), workspace);

@@ -14,16 +14,6 @@ namespace stridor::integration {
 
 struct SharedFlows;
 
-/// What a run costs and the limits it must keep, known before it starts.
-struct Cost {
-    double steps = 0.0;       // [1] number of time steps, of all runs; exact: of whole steps if nothing happened
-    double step_limit = 0.0;  // [s] largest stable time step; exact: infinite
-};
-
-/// Returns the cost of a case, from the fastest natural frequency of its system while separated.
-/// The case must have no `parameters::findings`.
-Cost cost(const parameters::Case& c);
-
 /// What runs of many cases, one after the other, may share: it saves time and changes nothing.
 struct Workspace {
     std::shared_ptr<SharedFlows> flows;                         // of the exact engine; its first run makes them

@@ -2,6 +2,7 @@
 
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/served_world.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "support/canary.hpp"
 #include "support/error_text.hpp"
@@ -198,7 +199,7 @@ TEST(StructureInThePage, MayTakeMinutesWhereItIsSlow) {
 TEST(StructureInThePage, HasACoarserChartWithSpringsThatAreNotLinear) {
     const auto points_of = [](const std::string& text) {
         const Preset preset = preset_of({text, "case.toml", {}});
-        return std::pair(preset.study->x.points, run_seconds(preset.study->base));
+        return std::pair(preset.study->x.points, integration::cost(preset.study->base).seconds);
     };
     std::string text = io::ready_file("string"), row = "direction = [0, 0, 0, 1";
     for (int k = 4; k < 41; ++k)

@@ -23,27 +23,6 @@ Case short_case() {
     return c;
 }
 
-// two runs, the coarser of which must be stable
-TEST(Cost, IsKnownBeforeTheRun) {
-    Case c;
-    c.run.duration = 2.0;
-    c.run.engine = parameters::Engine::beta_2;
-    c.run.step = 1e-6;
-    EXPECT_EQ(cost(c).steps, 3e6);
-    EXPECT_NEAR(cost(c).step_limit, 1e-4, 1e-12);  // half of that of the joint's axial mode, 1e4 rad/s
-    c.run.beta_2 = 1.0;
-    EXPECT_NEAR(cost(c).step_limit, 0.7071067811865476e-4, 1e-12);
-}
-
-// two runs; half a period of the joint's axial mode, 1e4 rad/s, is twice the longest step
-TEST(Cost, OfMoreauIsThatOfTwoRuns) {
-    Case c;
-    c.run.engine = parameters::Engine::moreau;
-    c.run.step = 1e-6;
-    EXPECT_EQ(cost(c).steps, 1.5e6);
-    EXPECT_NEAR(cost(c).step_limit, 1.5707963267948966e-4, 1e-12);
-}
-
 TEST(Simulate, ComparesTwoSteps) {
     for (const parameters::Engine engine : {parameters::Engine::moreau, parameters::Engine::beta_2}) {
         Case c = short_case();

@@ -34,20 +34,6 @@ namespace stridor::console {
 
 namespace {
 
-// what the beta_2 loop needs for one step on a present-day core [s]; only for the estimate that is printed
-constexpr double seconds_per_step = 25e-9;
-// what the moreau loop needs for one step, and more per mode and contact [s]; likewise
-constexpr double seconds_per_moreau_step = 1e-7;
-constexpr double seconds_per_mode_and_contact = 2e-9;
-// with two thousand events a second of motion
-constexpr double seconds_per_exact_step = 1e-7;
-// what the Taylor engine needs, which runs several joints and structures: likewise, within a factor of three
-constexpr double seconds_per_taylor_step = 1e-6;
-constexpr double seconds_per_taylor_contact = 1e-6;
-constexpr double seconds_per_taylor_mode_and_contact = 4.5e-8;
-// where friction changes with the slip velocity blocks are shorter
-constexpr double taylor_steps_of_changing_friction = 2.0;
-
 std::string temperature_table_text(const parameters::Case& c) {
     std::string text = fmt::format("{:<20} = {}\n", "at", fmt::join(parameters::node_texts(c), ", "));
     for (const parameters::TemperatureColumn& column : c.temperature.columns)
@@ -169,33 +155,13 @@ std::string friction_doubts(const model::Structure& structure) {
     return text;
 }
 
-double exact_seconds_per_step(const parameters::Case& c, const model::Structure& structure) {
-    if (!parameters::is_solved_by_series(c)) return seconds_per_exact_step;
-    const auto contacts = static_cast<double>(structure.contacts.size());
-    const auto modes = static_cast<double>(model::dofs_of(structure));
-    const bool changes =
-        std::any_of(structure.contacts.begin(), structure.contacts.end(),
-                    [](const model::ContactPoint& contact) { return !is_state_wise(contact.friction); });
-    return (changes || !structure.springs.empty() ? taylor_steps_of_changing_friction : 1.0) *
-           (seconds_per_taylor_step +
-            contacts * (seconds_per_taylor_contact + modes * seconds_per_taylor_mode_and_contact));
-}
-
-std::string cost_text(const parameters::Case& c, const model::Structure& structure, const integration::Cost& cost) {
+std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
+    const std::string seconds = fmt::format("about {:.2g} s of one core", cost.seconds);
     if (parameters::engine_of(c) == parameters::Engine::exact)
-        return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
-                           cost.steps * exact_seconds_per_step(c, structure));
-    if (parameters::engine_of(c) == parameters::Engine::moreau) {
-        const double size =
-            static_cast<double>(model::dofs_of(structure)) * static_cast<double>(structure.contacts.size());
-        const double seconds = seconds_per_moreau_step + seconds_per_mode_and_contact * size;
-        return fmt::format(
-            "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest step {:.4g} s\n",
-            cost.steps, c.run.step, 2.0 * c.run.step, cost.steps * seconds, cost.step_limit);
-    }
-    return fmt::format(
-        "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest stable step {:.4g} s\n",
-        cost.steps, c.run.step, 2.0 * c.run.step, cost.steps * seconds_per_step, cost.step_limit);
+        return fmt::format("\ncost: {:.3g} steps and the events, {}\n", cost.steps, seconds);
+    return fmt::format("\ncost: {:.3g} steps at {:g} s and {:g} s, {}; largest {}step {:.4g} s\n", cost.steps,
+                       c.run.step, 2.0 * c.run.step, seconds,
+                       parameters::engine_of(c) == parameters::Engine::moreau ? "" : "stable ", cost.step_limit);
 }
 
 using Nodes = std::unordered_set<std::string_view>;
@@ -234,7 +200,7 @@ std::string case_text(const parameters::Case& c, const integration::Cost& cost) 
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
            (parameters::has_plate(c) ? "\n" : contacts_text(c, structure)) + springs_text(c, structure) +
            "undamped natural frequencies\n" + frequencies_text(c, structure) + belief_text(c, structure) +
-           friction_doubts(structure) + cost_text(c, structure, cost);
+           friction_doubts(structure) + cost_text(c, cost);
 }
 
 std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size) {

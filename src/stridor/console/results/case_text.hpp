@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/simulate.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"

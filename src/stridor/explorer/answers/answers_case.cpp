@@ -3,6 +3,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers/answers.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"

@@ -2,6 +2,7 @@
 
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/classification/verdict.hpp"
+#include "stridor/integration/cost.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/described_record.hpp"
 #include "stridor/parameters/case.hpp"
