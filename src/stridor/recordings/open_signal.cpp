@@ -82,12 +82,13 @@ RawSignal open_utf16_table(const SignalInput& input, csv_table::Utf16 form, cons
 RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     const std::string beginning = text_at(*input.bytes, 0, sniffed);
     if (beginning.empty()) throw refusal(input.name, "the file is empty");
-    if (const auto form = csv_table::utf16_in(beginning)) return open_utf16_table(input, *form, options);
     if (is_audio(beginning)) return open_audio(input);
     if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);
     if (is_mat(beginning)) return open_mat(input, {options.rate, options.channel_name});
     refuse_foreign(beginning, input.name);
+    // behind all marks: soft samples of 16 bits, of which half the bytes are NUL, look like a text in UTF-16
+    if (const auto form = csv_table::utf16_in(beginning)) return open_utf16_table(input, *form, options);
     if (is_text(beginning) && has_sound_name(input.name))
         throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",
                       "If it is a table, give it a name that ends in .csv.");

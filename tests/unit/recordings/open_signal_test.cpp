@@ -106,13 +106,14 @@ TEST(OpenSignal, ReadsTheSamplesThatAreThereWhateverTheHeaderSays) {
     }
 }
 
+std::string bytes(std::uint32_t value, int count) {
+    std::string text;
+    for (int k = 0; k < count; ++k)
+        text += static_cast<char>(value >> (8 * k) & 0xFFU);
+    return text;
+}
+
 TEST(OpenSignal, Reads24BitsThatStandIn4Bytes) {
-    const auto bytes = [](std::uint32_t value, int count) {
-        std::string text;
-        for (int k = 0; k < count; ++k)
-            text += static_cast<char>(value >> (8 * k) & 0xFFU);
-        return text;
-    };
     constexpr std::array<std::int32_t, 4> samples{1, -1, 4194304, -8388607};
     for (const bool is_low : {false, true}) {
         std::string data;
@@ -125,6 +126,22 @@ TEST(OpenSignal, Reads24BitsThatStandIn4Bytes) {
         ASSERT_EQ(found[0].samples.size(), 4U) << is_low;
         for (std::size_t k = 0; k < samples.size(); ++k)
             EXPECT_EQ(found[0].samples[k], samples[k] / 8388608.0) << is_low;
+    }
+}
+
+// half of the bytes of soft samples beside a DC offset are NUL, as those of a text in UTF-16 are
+TEST(OpenSignal, TakesSoftSamplesForNoText) {
+    constexpr int frames = 3000;
+    for (const std::uint32_t offset : {48U, 100U, 0x4000U}) {
+        std::string data;
+        for (std::uint32_t k = 0; k < frames; ++k)
+            data += bytes(offset + k % 5, 2);
+        const std::string wav = "RIFF" + bytes(36 + 2 * frames, 4) + "WAVEfmt " + bytes(16, 4) + bytes(1, 2) +
+                                bytes(1, 2) + bytes(48000, 4) + bytes(96000, 4) + bytes(2, 2) + bytes(16, 2) + "data" +
+                                bytes(2 * frames, 4) + data;
+        const std::vector<Signal> found = all_of(input_of(wav));
+        ASSERT_EQ(found[0].samples.size(), frames) << offset;
+        EXPECT_EQ(found[0].samples[1], (offset + 1) / 32768.0);
     }
 }
 
