@@ -40,9 +40,14 @@ test("the page in one file works in Firefox, wide and narrow", { skip, timeout: 
   await browser.goto(pathToFileURL(join(folder, "live.html")).href);
   await browser.click(".live summary");
   await browser.wait("return document.querySelector('.live iframe').getBoundingClientRect().height > 0;");
+  await browser.run("document.querySelector('.live iframe').scrollIntoView();"); // it begins when it is seen
   await browser.enter(".live iframe");
   await browser.wait(`return document.querySelector('#verdict')?.getAttribute("aria-busy") === "false"
       && document.querySelector('#chart')?.dataset.done === "true";`);
   assert.equal(await browser.run("return document.querySelector('#verdict').dataset.going;"), "creak");
-  assert.deepEqual(await browser.sins("live.html"), []);
+  const unknown = "Feature Policy: Skipping unsupported feature name"; // what Chromium asks of a frame
+  assert.deepEqual(
+    (await browser.sins("live.html")).filter((text) => !text.includes(unknown)),
+    [],
+  );
 });
