@@ -4,7 +4,22 @@ import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { deaf, expectHeard, expectUnheard, hearing, refusing, writeSqueal } from "../browser/hearing.mjs";
+import { pathToFileURL } from "node:url";
+import { firefox, openFirefox } from "../browser/firefox.mjs";
+import {
+  deaf,
+  expectHeard,
+  expectUnheard,
+  firefoxDeaf,
+  firefoxHearing,
+  firefoxRefusing,
+  hasLoudspeaker,
+  hearing,
+  openLoudspeaker,
+  refusing,
+  writeSqueal,
+} from "../browser/hearing.mjs";
+import { lacking } from "../browser/needs.mjs";
 import { openFile, write } from "./one_file.mjs";
 
 let folder;
@@ -39,5 +54,38 @@ test("a microphone that is refused, or is none, leaves a sentence", { timeout: 6
     await expectUnheard(page, words, init ? "Stop" : "Start");
     assert.deepEqual(sins, []);
     await page.context().close();
+  }
+});
+
+const skip = lacking(firefox, "Firefox", "firefox-esr");
+
+async function listeningFirefox(t, preferred, env = {}) {
+  const browser = await openFirefox(firefox, { preferred, env });
+  t.after(() => browser.close());
+  await browser.goto(`${pathToFileURL(file).href}#view=listen`);
+  await browser.wait("return document.querySelector('#microphone')?.checkVisibility();");
+  return browser;
+}
+
+const silent = skip || lacking(hasLoudspeaker, "A loudspeaker", "pulseaudio");
+
+test("Firefox judges a microphone in the file", { skip: silent, timeout: 600_000 }, async (t) => {
+  const browser = await listeningFirefox(t, firefoxHearing, await openLoudspeaker(t));
+  await expectHeard(browser);
+  assert.deepEqual(await browser.sins("page.html"), []);
+});
+
+test("Firefox leaves a sentence where none is heard", { skip, timeout: 600_000 }, async (t) => {
+  const nowhere = { PULSE_SERVER: "unix:/nowhere" };
+  for (const [why, preferred, words, next] of [
+    ["refused", firefoxRefusing, /The microphone was refused .*Allow it beside the page's address/],
+    ["no microphone", firefoxDeaf, /There is no microphone\. Plug one in/],
+    ["no loudspeaker", firefoxHearing, /audio does not run \(some want a loudspeaker for it\)/, "Stop"],
+  ]) {
+    await t.test(why, async (each) => {
+      const browser = await listeningFirefox(each, preferred, nowhere);
+      await expectUnheard(browser, words, next);
+      assert.deepEqual(await browser.sins("page.html"), []);
+    });
   }
 });

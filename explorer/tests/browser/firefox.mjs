@@ -70,15 +70,17 @@ class Marionette {
   }
 }
 
-/** A Firefox with a window of this size. */
-export async function openFirefox(program, { width = 1440, height = 900 } = {}) {
+/** A Firefox with a window of this size; `preferred` and `env` stand beside the usual preferences and environment. */
+export async function openFirefox(program, { width = 1440, height = 900, preferred = {}, env = {} } = {}) {
   const profile = await mkdtemp(join(tmpdir(), "stridor-firefox-"));
-  const lines = Object.entries(preferences).map((each) => `user_pref(${each.map((part) => JSON.stringify(part))});\n`);
+  const lines = Object.entries({ ...preferences, ...preferred }).map(
+    (each) => `user_pref(${each.map((part) => JSON.stringify(part))});\n`,
+  );
   await writeFile(join(profile, "user.js"), lines.join(""));
   const options = ["--headless", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile", profile];
   const child = spawn(program, [...options, `--width=${width}`, `--height=${height}`], {
     stdio: "ignore",
-    env: { ...process.env, HOME: profile, MOZ_CRASHREPORTER_DISABLE: "1" },
+    env: { ...process.env, HOME: profile, MOZ_CRASHREPORTER_DISABLE: "1", ...env },
   });
   const ended = new Promise((resolve) => child.once("exit", resolve));
   const portFile = join(profile, "MarionetteActivePort");
@@ -98,13 +100,21 @@ export async function openFirefox(program, { width = 1440, height = 900 } = {}) 
   const run = async (script, ...args) => (await wire.ask("WebDriver:ExecuteScript", { script, args })).value;
   const find = async (value) =>
     Object.values((await wire.ask("WebDriver:FindElement", { using: "css selector", value })).value)[0];
+  const click = async (selector) => wire.ask("WebDriver:ElementClick", { id: await find(selector) });
+  const isShown = async (id) => (await wire.ask("WebDriver:IsElementDisplayed", { id })).value;
   return {
     goto: (url) => wire.ask("WebDriver:Navigate", { url }),
     /** The body of a function that runs in the page. */
     run,
     /** Waits until the body of a function gives what is true there; gives that. */
     wait: (script, ...args) => until(() => run(script, ...args), script),
-    click: async (selector) => wire.ask("WebDriver:ElementClick", { id: await find(selector) }),
+    click,
+    /** One element, as Playwright's pages have it: for what is asked of every browser. */
+    locator: (selector) => ({
+      click: () => click(selector),
+      textContent: () => run("return document.querySelector(arguments[0]).textContent;", selector),
+      isVisible: async () => isShown(await find(selector)),
+    }),
     type: async (selector, text) => wire.ask("WebDriver:ElementSendKeys", { id: await find(selector), text }),
     /** What follows is asked of the page in this frame. */
     enter: async (selector) => wire.ask("WebDriver:SwitchToFrame", { element: await find(selector) }),

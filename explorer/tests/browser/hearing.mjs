@@ -1,7 +1,10 @@
 // What a browser hears in place of a microphone, for the tests of the page that a program serves and of that in one
 // file.
 import assert from "node:assert/strict";
-import { writeFile } from "node:fs/promises";
+import { spawn, spawnSync } from "node:child_process";
+import { mkdtemp, rm, stat, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { until } from "../until.mjs";
 
 /** Switches of a browser that hears this WAV file, over and over, and lets every page hear it. */
@@ -13,6 +16,35 @@ export const hearing = (wav) => [
 /** Of one that lets no page hear anything, and of one without a microphone. */
 export const refusing = ["--use-fake-device-for-media-stream", "--deny-permission-prompts"];
 export const deaf = ["--use-fake-ui-for-media-stream"];
+
+/** Preferences of a Firefox that hears a tone of 1 kHz and lets every page hear it, of one that lets none, and of a
+    deaf one. */
+export const firefoxHearing = { "media.navigator.streams.fake": true, "media.navigator.permission.disabled": true };
+export const firefoxRefusing = { "media.navigator.streams.fake": true, "permissions.default.microphone": 2 };
+export const firefoxDeaf = { "media.navigator.permission.disabled": true };
+
+/** Whether this machine has the program that plays to nobody. */
+export const hasLoudspeaker = spawnSync("pulseaudio", ["--version"]).status === 0;
+
+/** A loudspeaker that nobody hears, until the test ends; gives the environment of a Firefox, whose audio needs one. */
+export async function openLoudspeaker(t) {
+  const folder = await mkdtemp(join(tmpdir(), "stridor-loudspeaker-"));
+  const socket = join(folder, "socket");
+  const loads = ["module-null-sink", `module-native-protocol-unix auth-anonymous=1 socket=${socket}`];
+  const options = ["-n", "--daemonize=no", "--use-pid-file=no", "--exit-idle-time=-1", "--disable-shm=yes"];
+  const child = spawn("pulseaudio", [...options, ...loads.flatMap((load) => ["-L", load])], {
+    stdio: "ignore",
+    env: { ...process.env, HOME: folder, XDG_RUNTIME_DIR: folder },
+  });
+  const ended = new Promise((resolve) => child.once("exit", resolve));
+  t.after(async () => {
+    child.kill();
+    await ended;
+    await rm(folder, { recursive: true, force: true });
+  });
+  await until(() => stat(socket).catch(() => null), "a loudspeaker");
+  return { PULSE_SERVER: `unix:${socket}` };
+}
 
 /** Writes ten seconds of a squeal: a tone of 1.2 kHz with its overtones, which goes on where it begins anew. */
 export async function writeSqueal(file) {
