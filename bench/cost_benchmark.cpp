@@ -10,7 +10,6 @@
 #include "stridor/integration/steps/moreau.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/io/case/toml_document.hpp"
 #include "stridor/model/built/bowed_string.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/storage/atomic_file.hpp"
@@ -100,7 +99,7 @@ void print(const char* what, const std::vector<Cost>& costs) {
 void print_told(const std::vector<std::string>& ready_cases) {
     fmt::print("| ready case | told [s] | took [s] |\n| --- | --- | --- |\n");
     for (const std::string& name : ready_cases) {
-        parameters::Case c = io::read_case(io::parse_toml({io::ready_file(name), name, {}}));
+        parameters::Case c = io::read_case({io::ready_file(name), name, {}});
         c.run.early_ending = parameters::EarlyEnding::never;
         c.run.duration *= std::max(1.0, 0.2 / integration::cost(c).seconds);
         const double begin = processor_time();

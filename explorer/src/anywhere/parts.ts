@@ -88,6 +88,13 @@ export function workerMaker(first: number): () => Worker {
       throw new Error(noWorkers);
     }
   };
-  const waiting = Array.from({ length: first }, made);
-  return () => waiting.pop() ?? made();
+  const waiting = new Set(Array.from({ length: first }, made));
+  // one that fails before anybody asks it is made anew for who asks, and tells him why
+  for (const worker of waiting) worker.onerror = () => waiting.delete(worker);
+  return () => {
+    const [worker] = waiting;
+    if (!worker) return made();
+    waiting.delete(worker);
+    return worker;
+  };
 }

@@ -27,7 +27,7 @@ interface Labour {
 }
 
 export class Pool {
-  private readonly ready_: Worker[] = [];
+  private ready_: Worker[] = [];
   private readonly asked_: Labour[] = [];
   private working_ = 0;
 
@@ -121,7 +121,13 @@ export class Pool {
     while (this.asked_.length > 0 && this.working_ < this.most_)
       this.work_(this.ready_.pop() ?? this.newWorker_(), this.asked_.shift() as Labour);
     // the next question does not wait for a core to begin
-    if (this.ready_.length === 0 && this.working_ < this.most_) this.ready_.push(this.newWorker_());
+    if (this.ready_.length === 0 && this.working_ < this.most_) this.keep_(this.newWorker_());
+  }
+
+  // one that fails before it is asked is made anew for the next question, and tells why there
+  private keep_(worker: Worker): void {
+    worker.onerror = () => (this.ready_ = this.ready_.filter((kept) => kept !== worker));
+    this.ready_.push(worker);
   }
 
   private newWorker_(): Worker {
@@ -136,7 +142,7 @@ export class Pool {
       signal?.removeEventListener("abort", stop);
       worker.onmessage = worker.onerror = null;
       --this.working_;
-      if (isKept && this.ready_.length < mostWaiting) this.ready_.push(worker);
+      if (isKept && this.ready_.length < mostWaiting) this.keep_(worker);
       else worker.terminate();
       this.fill_();
     };

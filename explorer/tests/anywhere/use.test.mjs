@@ -214,7 +214,11 @@ test("what a browser lacks is said in a sentence with a way out", { timeout: 600
     "delete globalThis.WebAssembly;": /runs no WebAssembly.*another\?/,
     "delete globalThis.Worker;": /too old for the page\. Open the file in Firefox/,
     "globalThis.Worker = class { constructor() { throw new Error('no'); } };": /no workers.*another browser/,
-    "WebAssembly.compile = () => Promise.reject(new RangeError('Out of memory'));": /no memory.*Close other tabs/,
+    // a worker that a policy forbids fails later
+    "globalThis.Worker = class extends Worker { constructor() { super('data:text/javascript,'); } };":
+      /no workers.*another browser/,
+    "WebAssembly.compileStreaming = () => Promise.reject(new RangeError('Out of memory'));":
+      /no memory.*Close other tabs/,
     [`globalThis.Blob = class extends Blob {
       constructor(parts, options) {
         const before = options?.type === "text/javascript" ? [${JSON.stringify(noMemory)}] : [];

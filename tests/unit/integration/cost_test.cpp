@@ -36,7 +36,7 @@ TEST(Cost, OfFrictionThatChangesIsMore) {
     EXPECT_NEAR(cost(c).seconds, cost(c).steps * 2e-6, cost(c).steps * 0.5e-6);
 }
 
-// measured of Table 1's squeal whose joint stiffens: 0.23 s for 5e4 steps, a hundred times as long as without
+// measured of Table 1's squeal whose joint stiffens: 0.23 s for 5e4 steps, some fifty times as long as without
 TEST(Cost, OfAJointThatStiffensCountsItsSpring) {
     Case c;
     const double linear = cost(c).seconds;

@@ -117,3 +117,11 @@ test("a worker without memory, and a browser without workers, are told in words"
   const silent = fakes((_letter, worker) => (queueMicrotask(() => worker.onerror({})), []));
   await assert.rejects(new Pool(silent.make, begin, 1).carry("/api/motion", {}), { message: /runs no workers/ });
 });
+
+test("a worker that fails before it is asked is no longer asked", async () => {
+  const { made, make } = fakes((_letter, worker) => (queueMicrotask(() => worker.onerror({})), []));
+  const pool = new Pool(make, begin, 2);
+  await assert.rejects(pool.carry("/1", {}), { message: /runs no workers/ });
+  for (const worker of made) worker.onerror?.({});
+  await assert.rejects(pool.carry("/2", {}), { message: /runs no workers/ });
+});
