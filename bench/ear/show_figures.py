@@ -24,7 +24,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 LONGEST = 3.0  # [s] of a passage
 ZOOM = 0.7  # [s] that shows impulses
-TONES = ["tone_presence", "tone_length", "tone_wander", "comb", "centre", "spread"]
+TONES = ["tone_presence", "tone_length", "tone_wander", "comb", "centre", "spread", "lone_fundamental"]
 INK, MARK = "#1f4e79", "#c0392b"
 
 
@@ -126,9 +126,10 @@ def draw_level(axes, samples, rate):
 
 DRAWN = {
     "tone_presence": draw_spectrogram, "tone_length": draw_spectrogram, "tone_wander": draw_spectrogram,
-    "comb": draw_spectrum, "centre": draw_spectrum, "spread": draw_spectrum, "lone_impulses": draw_wave,
+    "comb": draw_spectrum, "centre": draw_spectrum, "spread": draw_spectrum, "lone_fundamental": draw_spectrum,
+    "lone_impulses": draw_wave,
     "onset_rate": draw_onsets, "train": draw_onsets, "jerks": draw_onsets, "joint_jerks": draw_octaves,
-    "beat": draw_beat, "level_spread": draw_level, "sounding": draw_level,
+    "beat": draw_beat, "lone_rhythm": draw_onsets, "level_spread": draw_level, "sounding": draw_level,
 }
 
 

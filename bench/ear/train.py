@@ -31,8 +31,8 @@ import copies as same_sounds
 
 HEARD = ["rubbing", "other", "squeal", "squeak", "creak"]
 CATEGORIES = ["none", "squeal", "squeak", "creak"]
-PENALTY = 6.0  # on the squares of the weights
-NOISE = 3.0  # weight of a clip that is a noise, since there are five quiet ones to each
+PENALTY = 8.0  # on the squares of the weights
+NOISE = 4.5  # weight of a clip that is a noise, since there are five quiet ones to each
 NO_FRICTION = 0.3  # weight of a clip that is no friction and has a tone or impulses: heavier ones hide noises
 ROWS = {"train", "jerks", "joint_jerks"}  # figures of which the weight is greatest for a creak
 LOW_CONFIDENCE = 0.5  # weight of a clip of which its label is not sure

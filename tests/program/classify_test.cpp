@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -137,8 +138,10 @@ TEST(ClassifyMany, NamesTheChannelThatDecidesAndWhatTheOtherIs) {
     const ScratchFolder folder;
     std::ostringstream text;
     text << "time [s],near,far\n";
+    std::mt19937 hiss(7);
     for (int n = 0; n < 16000; ++n)
-        text << n / 16000.0 << "," << tone(n / 16000.0) << "," << (n % 4000 < 40 ? 0.1 : 0.001 * (n % 7)) << "\n";
+        text << n / 16000.0 << "," << tone(n / 16000.0) << ","
+             << (n % 4000 < 40 ? 0.1 : 0.001 * static_cast<double>(hiss() % 7)) << "\n";
     write_text(folder / "pair.csv", text.str());
     const Finished alone = run({"classify", "pair.csv"}, folder.path());
     EXPECT_NE(alone.out.find("the verdict rests on channel 1, the loudest: squeal\nchannel 2 is none"),

@@ -59,6 +59,17 @@ double lone_impulses(const Passage& p) {
     return (1.0 - train(p)) * std::clamp(base::logarithm_2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
 }
 
+// the wave of a row repeats as its bodies ring, and says nothing of the row
+double lone_fundamental(const Passage& p) {
+    if (!(p.tones.fundamental > 0.0)) return 0.0;
+    return (1.0 - train(p)) * tone_sureness(p) * base::logarithm_2(p.tones.fundamental / 300.0);
+}
+
+// a pace counts against a creak only where it is that of no row
+double lone_rhythm(const Passage& p) {
+    return (1.0 - train(p)) * p.onsets.rhythm;
+}
+
 // of a row of seven or more in which the level rises fast and falls slowly
 double jerks_of(double skewness, double longest_train) {
     const double asymmetry = std::max(0.0, skewness);
@@ -94,12 +105,14 @@ constexpr std::array<EarFigure, ear_figure_count> figure_table{
     EarFigure{"comb", "octave", "lines lie close together, as those of voices and engines", comb},
     EarFigure{"centre", "octave", "the power lies high", centre},
     EarFigure{"spread", "octave", "the power spreads over frequency", spread},
+    EarFigure{"lone_fundamental", "octave", "a tone that is in no row repeats at a high frequency", lone_fundamental},
     EarFigure{"lone_impulses", "octave", "impulses stand out that are in no row", lone_impulses},
     EarFigure{"onset_rate", "octave", "many onsets", onset_rate},
     EarFigure{"train", "1", "onsets follow each other at like intervals", train},
     EarFigure{"jerks", "1", "the level jumps up and falls off, again and again", jerks},
     EarFigure{"joint_jerks", "1", "and so do low and high octaves at once", joint_jerks},
     EarFigure{"beat", "dB", "the level beats", beat},
+    EarFigure{"lone_rhythm", "dB", "one pace stands out that is that of no row", lone_rhythm},
     EarFigure{"level_spread", "dB", "the level changes over time", level_spread},
     EarFigure{"sounding", "1", "it sounds all the time", sounding},
 };

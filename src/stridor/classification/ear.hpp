@@ -32,7 +32,7 @@ struct EarFigure {
     double (*value)(const sound::Passage&);
 };
 
-inline constexpr std::size_t ear_figure_count = 14;
+inline constexpr std::size_t ear_figure_count = 16;
 
 /// Returns all figures, in the order of the weights.
 std::span<const EarFigure, ear_figure_count> ear_figures();

@@ -5,6 +5,7 @@
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/running_biquad.hpp"
+#include "stridor/sound/rhythm.hpp"
 
 #include <algorithm>
 #include <array>
@@ -397,6 +398,8 @@ Onsets onsets_of(std::span<const double> samples, double rate) {
     onsets.train = std::min(1.0, rows.taken / lasted);
     onsets.longest_train = rows.longest;
     onsets.beat = beat_of(levels_of(means_of(squares, step_parts), least), loud);
+
+    onsets.rhythm = rhythm_of(squares, part);
 
     describe_fast(sound, rate, onsets);
 

@@ -29,6 +29,7 @@ struct Onsets {
     double joint_skewness = 0.0;      // [1] `skewness` of the mean level of octaves, see `band_levels`
     double joint_train = 0.0;         // [1] onsets in the longest row of that level
     double beat = 0.0;                // [dB] standard deviation of the level over 8 ms around that over 0.2 s
+    double rhythm = 0.0;              // [dB] see `rhythm_of`, above 1 kHz
     double kurtosis = 0.0;            // [1] above 1 kHz: sine 1.5, noise 3, impulses more; 0: silence
     double level_spread = 0.0;        // [dB] standard deviation of the level over 50 ms, above 100 Hz
     double sounding = 0.0;            // [1] share of the time within 20 dB of the greatest of those levels,

@@ -14,7 +14,8 @@
 #include <numeric>
 
 // Frames of 43 ms, Hann, half overlapped. A line is a local maximum of the power that stands 9 dB above what the
-// half octave around it has, estimated by its geometric mean: that of noise lies e^-gamma below the mean power.
+// half octave around it has, estimated by its geometric mean: that of noise lies e^-gamma below the mean power. The
+// power's transform back is the frame's autocorrelation: over that of the window it is greatest where the wave repeats.
 namespace stridor::sound {
 
 namespace {
@@ -22,7 +23,7 @@ namespace {
 constexpr double frame_time = 0.043;         // [s]
 constexpr double least_frequency = 150.0;    // [Hz] of a tone: below lies rumble
 constexpr double greatest_frequency = 12e3;  // [Hz] of a tone
-constexpr double weighted_from = 100.0;      // [Hz] for the centre and the spread
+constexpr double weighted_from = 100.0;      // [Hz] for the centre, the spread and the fundamental
 constexpr double prominence = 2.98973;       // [octave] of power, 9 dB
 constexpr double median_of_noise = 0.29866;  // [octave] e^gamma ln 2, the median power over the geometric mean
 constexpr double half_band = 0.19;           // [1] a quarter octave as a share of the frequency
@@ -30,6 +31,10 @@ constexpr std::size_t narrowest = 5;         // bins on either side
 constexpr double most_change = 0.03;         // [1] of a partial's frequency from frame to frame
 constexpr double most_bins = 1.5;            // the same for low ones
 constexpr std::size_t least_frames = 3;
+constexpr double highest_fundamental = 1500.0;  // [Hz] a higher one is heard as half, a third ... of it
+constexpr double lowest_fundamental = 70.0;     // [Hz] three periods of it fit into a frame
+constexpr double least_overlap = 0.05;  // [1] of the window's autocorrelation: beyond, little is left to compare
+constexpr double loud_share = 0.01;     // [1] 20 dB: softer frames say nothing of the wave
 constexpr double tiny = 1e-30;
 
 std::size_t band_of(std::size_t bin) {
@@ -61,6 +66,19 @@ STRIDOR_CLONES void weigh_lines(std::span<const double> power, std::span<const d
     }
 }
 
+// the greatest product of two rows, and where it is
+struct Greatest {
+    double value = 0.0;
+    std::size_t place = 0;
+};
+
+Greatest greatest_product(std::span<const double> a, std::span<const double> b) {
+    Greatest found;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        if (const double here = a[k] * b[k]; here > found.value) found = {here, k};
+    return found;
+}
+
 }  // namespace
 
 Summit parabola_summit(double left, double centre, double right) {
@@ -85,6 +103,9 @@ struct ToneFinder::Frames {
     std::vector<std::vector<Line>> lines{};  // shape [frame][line]
     std::vector<double> power{};             // [unit²] A-weighted, shape [frame]
     std::vector<double> spectrum{};          // [unit²] A-weighted, shape [bin]
+    std::vector<double> energy{};            // [unit²] windowed, from 100 Hz, shape [frame]
+    std::vector<double> likeness{};          // [1] of the wave to itself one period later, shape [frame]
+    std::vector<double> fundamental{};       // [octave] of 1 Hz, of that period, shape [frame]
 };
 
 ToneFinder::ToneFinder(double rate)
@@ -95,8 +116,35 @@ ToneFinder::ToneFinder(double rate)
     const double width = rate_ / static_cast<double>(size_);  // [Hz] of a bin
     for (std::size_t k = 0; k <= size_ / 2; ++k)
         weights_.push_back(signal::a_weighting(static_cast<double>(k) * width));
-    lowest_ = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(least_frequency / width)));
+    lowest_ = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(least_frequency / width)), 2, weights_.size());
     highest_ = std::min(size_ / 2 - 2, static_cast<std::size_t>(greatest_frequency / width));
+    shortest_ = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(rate_ / highest_fundamental)));
+    longest_ = std::min(size_ / 2, static_cast<std::size_t>(rate_ / lowest_fundamental));
+    std::vector<double> power(weights_.size());
+    signal::powers_of(fourier_.spectrum(window_), power);
+    const std::span<const double> own = autocorrelation_of(power);
+    for (std::size_t k = 0; k < longest_; ++k)
+        windowed_.push_back(1.0 / std::max(own[k] / own[0], least_overlap));
+}
+
+// of the wave whose powers these are, shape [lag]; valid until the next transform
+std::span<const double> ToneFinder::autocorrelation_of(std::span<const double> power) {
+    numbers_.assign(power.begin(), power.end());
+    return fourier_.frame(numbers_);
+}
+
+// Unweighted, for the low harmonics tell voices and engines; rumble is left out. It overwrites the powers.
+void ToneFinder::add_fundamental(std::span<double> power, Frames& frames) {
+    const double width = rate_ / static_cast<double>(size_);
+    const auto audible = static_cast<std::size_t>(std::ceil(weighted_from / width));
+    std::fill_n(power.begin(), std::min(audible, power.size()), 0.0);
+    const std::span<const double> own = autocorrelation_of(power);
+    const auto lags = own.subspan(0, longest_);
+    const Greatest found = greatest_product(lags.subspan(shortest_), std::span(windowed_).subspan(shortest_));
+    frames.energy.push_back(std::max(0.0, own[0]));
+    const auto lag = static_cast<double>(shortest_ + found.place);
+    frames.likeness.push_back(own[0] > 0.0 ? std::min(1.0, found.value / own[0]) : 0.0);
+    frames.fundamental.push_back(base::logarithm_2(rate_ / lag));
 }
 
 // the lines of one frame
@@ -146,6 +194,7 @@ ToneFinder::Frames ToneFinder::frames_of(std::span<const double> samples) {
         frames.lines.push_back(lines_of(power));
         frames.power.push_back(
             std::accumulate(weighted.begin() + static_cast<std::ptrdiff_t>(lowest_), weighted.end(), 0.0));
+        if (longest_ > shortest_) add_fundamental(power, frames);
     }
     // one-sided power over N times the window's square
     const double sum_of_window = std::accumulate(window_.begin(), window_.end(), 0.0);
@@ -232,7 +281,7 @@ double spacing_of(std::vector<double> places) {
 
 void describe_spectrum(std::span<const double> spectrum, double width, Tones& tones) {
     tones.mean_square = std::accumulate(spectrum.begin(), spectrum.end(), 0.0);
-    const auto from = static_cast<std::size_t>(std::ceil(weighted_from / width));
+    const auto from = std::min(spectrum.size(), static_cast<std::size_t>(std::ceil(weighted_from / width)));
     std::vector<double> octaves;
     for (std::size_t k = from; k < spectrum.size(); ++k)
         octaves.push_back(base::logarithm_2(static_cast<double>(k) * width));
@@ -266,12 +315,24 @@ void ToneFinder::describe_spacing(const Frames& frames, Tones& tones) const {
     if (!octaves.empty()) tones.spacing = width * base::power_of_2(deviation_of(octaves, weights).mean);
 }
 
+// weighted by amplitude and likeness
+void ToneFinder::describe_fundamental(const Frames& frames, Tones& tones) {
+    if (frames.energy.empty()) return;
+    const double least = loud_share * *std::max_element(frames.energy.begin(), frames.energy.end());
+    std::vector<double> weights(frames.energy.size());
+    for (std::size_t j = 0; j < weights.size(); ++j)
+        if (frames.energy[j] > least) weights[j] = std::sqrt(frames.energy[j]) * frames.likeness[j];
+    const Deviation found = deviation_of(frames.fundamental, weights);
+    if (found.mean > 0.0) tones.fundamental = base::power_of_2(found.mean);
+}
+
 Tones ToneFinder::find(std::span<const double> samples) {
     Tones tones;
     const Frames frames = frames_of(samples);
     const double width = rate_ / static_cast<double>(size_);
     const double step = static_cast<double>(frames.hop) / rate_;
     describe_spectrum(frames.spectrum, width, tones);
+    describe_fundamental(frames, tones);
 
     std::vector<double> tonal(frames.power.size());  // [unit²] in tones, shape [frame]
     std::vector<Line> strongest(frames.power.size());

@@ -2,6 +2,7 @@
 
 #include "stridor/signal/fourier.hpp"
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -33,6 +34,7 @@ struct Tones {
     double spacing = 0.0;            // [Hz] between neighbouring lines, where three or more sound; 0: nowhere
     double centre = 0.0;             // [Hz] geometric mean of the power's frequencies; 0: silence
     double spread = 0.0;             // [octave] their standard deviation
+    double fundamental = 0.0;        // [Hz] how often the wave repeats, geometric mean; 0: silence
     std::vector<TonePoint> pitch{};  // where there is a tone, in time
 };
 
@@ -56,6 +58,9 @@ private:
 
     Frames frames_of(std::span<const double> samples);
     std::vector<Line> lines_of(std::span<const double> power) const;
+    std::span<const double> autocorrelation_of(std::span<const double> power);
+    void add_fundamental(std::span<double> power, Frames& frames);
+    static void describe_fundamental(const Frames& frames, Tones& tones);
     std::vector<Partial> partials_of(const Frames& frames) const;
     void describe_spacing(const Frames& frames, Tones& tones) const;
 
@@ -64,7 +69,11 @@ private:
     signal::Fourier fourier_;
     std::vector<double> window_;
     std::vector<double> weights_{};  // [1] A-weighting, shape [bin]
-    std::size_t lowest_ = 0;         // bins of tones
+    std::vector<std::complex<double>> numbers_{};
+    std::vector<double> windowed_{};  // [1] 1 over the window's own autocorrelation, shape [lag]
+    std::size_t shortest_ = 0;        // lags at which the wave may repeat, in samples
+    std::size_t longest_ = 0;
+    std::size_t lowest_ = 0;  // bins of tones
     std::size_t highest_ = 0;
 };
 

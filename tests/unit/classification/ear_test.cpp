@@ -50,6 +50,16 @@ TEST(Ear, FindsARowAtAnyPace) {
     }
 }
 
+// a rig that goes at one speed creaks at one pace: an even row is no music
+TEST(Ear, HearsACreakAtOnePace) {
+    for (const double pace : {6.0, 12.0, 20.0, 40.0}) {
+        std::vector<double> instants;
+        for (double t = 0.05; t < 2.9; t += 1.0 / pace)
+            instants.push_back(t);
+        EXPECT_EQ(heard_in(signal::with_noise(support::struck(3.0, instants), 30.0, 4)), Category::creak) << pace;
+    }
+}
+
 TEST(Ear, HearsAHarmonicToneThatLasts) {
     EXPECT_EQ(heard_in(support::squeal(2.0)), Category::squeal);
 }
@@ -75,6 +85,19 @@ TEST(Ear, HearsATonePastARumble) {
 
 TEST(Ear, HearsNoNoiseInHiss) {
     EXPECT_EQ(heard_in(support::hiss(3.0)), Category::none);
+}
+
+// noise repeats nowhere: four thuds a second beside it are no tone, whatever the rate
+TEST(Ear, HearsNoNoiseInThudsAndHiss) {
+    for (const double rate : {8000.0, 16000.0, 48000.0})
+        for (const double thud : {1.0, 6.0}) {
+            signal::Signal sound = support::hiss(1.0);
+            sound.rate = rate;
+            sound.samples.resize(static_cast<std::size_t>(rate));
+            for (std::size_t n = 0; n < sound.samples.size(); ++n)
+                if (std::fmod(static_cast<double>(n) / rate, 0.25) < 0.0025) sound.samples[n] += thud;
+            EXPECT_EQ(heard_in(sound), Category::none) << rate << " " << thud;
+        }
 }
 
 TEST(Ear, GivesProbabilitiesAndReasonsThatAddUp) {

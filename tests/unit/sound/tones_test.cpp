@@ -115,5 +115,23 @@ TEST(Tones, OfSilenceAndOfAMomentAreNone) {
     EXPECT_EQ(tones_of(sampled(0.02, [](double t) { return sine(900.0 * t); })).length, 0.0);
 }
 
+// a voice of 120 Hz, whatever its harmonics weigh, under a rumble of 50 Hz, ten times as strong
+TEST(Tones, HaveTheFundamentalOfAVoice) {
+    for (const double slope : {0.5, 1.0, 2.0}) {
+        const Tones tones = tones_of(sampled(1.0, [&](double t) {
+            double sum = 10.0 * sine(50.0 * t);
+            for (int k = 1; k <= 20; ++k)
+                sum += sine(120.0 * k * t) / std::pow(k, slope);
+            return sum;
+        }));
+        EXPECT_NEAR(tones.fundamental, 120.0, 2.0) << slope;
+    }
+}
+
+TEST(Tones, OfSilenceHaveNoFundamental) {
+    EXPECT_EQ(ToneFinder(48000.0).find(std::vector<double>(48000)).fundamental, 0.0);
+    EXPECT_EQ(ToneFinder(100.0).find(std::vector<double>(100, 1.0)).fundamental, 0.0);
+}
+
 }  // namespace
 }  // namespace stridor::sound
