@@ -398,7 +398,6 @@ Onsets onsets_of(std::span<const double> samples, double rate) {
     onsets.train = std::min(1.0, rows.taken / lasted);
     onsets.longest_train = rows.longest;
     onsets.beat = beat_of(levels_of(means_of(squares, step_parts), least), loud);
-
     onsets.rhythm = rhythm_of(squares, part);
 
     describe_fast(sound, rate, onsets);
