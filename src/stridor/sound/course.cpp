@@ -206,7 +206,7 @@ double largest_dwell(std::span<const double> samples, double width) {
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
     const double scale =
         std::min(slots_per_width / width, static_cast<double>(most_slots) / std::max(*high - *low, 1e-300));
-    std::vector<std::size_t> counts(base::whole_below((*high - *low) * scale, most_slots) + 2);
+    std::vector<std::uint32_t> counts(base::whole_below((*high - *low) * scale, most_slots) + 2);
     std::vector<std::int32_t> slots(samples.size());
     slots_of(samples, *low, scale, slots, static_cast<std::int32_t>(counts.size() - 1));
     for (const std::int32_t slot : slots)

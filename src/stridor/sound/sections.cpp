@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -45,12 +46,18 @@ struct SectionFinder::State {
         return std::span(course.sample_squares).subspan(length * place, length);
     }
 
-    // [unit²] what a level there must exceed to sound
-    double least_level(std::size_t place) const {
-        const std::size_t from = place - std::min(place, around);
-        const std::size_t to = std::min(levels.size(), place + around + 1);
-        const auto near = std::span(levels).subspan(from, to - from);
-        return sounding_share * *std::max_element(near.begin(), near.end());
+    // [unit²] what a level must exceed to sound in the part that is decided next. Of the parts around it only those
+    // are held of which no later one is as loud: the first of them is the loudest.
+    double least_level() {
+        const std::size_t to = std::min(levels.size(), decided + around + 1);
+        for (; met < to; ++met) {
+            while (!loudest.empty() && levels[loudest.back()] <= levels[met])
+                loudest.pop_back();
+            loudest.push_back(met);
+        }
+        while (loudest.front() + around < decided)
+            loudest.pop_front();
+        return sounding_share * levels[loudest.front()];
     }
 
     std::uint64_t sample_of(std::size_t part, std::size_t within) const { return length * (dropped + part) + within; }
@@ -71,17 +78,15 @@ struct SectionFinder::State {
         return best;
     }
 
-    void begin() {
+    void begin(double least) {
         const auto part = squares_of(decided);
-        const double least = least_level(decided);
         const auto first = std::find_if(part.begin(), part.end(), [&](double level) { return level > least; });
         begun = decided;
         first_sample = sample_of(decided, static_cast<std::size_t>(first - part.begin()));
     }
 
-    void go_on_sounding() {
+    void go_on_sounding(double least) {
         const auto part = squares_of(decided);
-        const double least = least_level(decided);
         const auto end = std::find_if(part.rbegin(), part.rend(), [&](double level) { return level > least; }).base();
         last = decided;
         end_sample = sample_of(decided, static_cast<std::size_t>(end - part.begin()));
@@ -98,9 +103,10 @@ struct SectionFinder::State {
         const std::size_t ready = end == End::reached ? known : known - std::min(known, around);
         for (; decided < ready; ++decided) {
             if (begun && decided - last > longest_pause) close();
-            if (!(levels[decided] > least_level(decided))) continue;
-            if (!begun) begin();
-            go_on_sounding();
+            const double least = least_level();
+            if (!(levels[decided] > least)) continue;
+            if (!begun) begin(least);
+            go_on_sounding(least);
             if (last + 1 - *begun <= most_parts) continue;
             begun = cut_of(*begun);
             sections.push_back({first_sample, sample_of(*begun, 0)});
@@ -120,6 +126,11 @@ struct SectionFinder::State {
         levels.erase(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(old));
         dropped += old;
         decided -= old;
+        met -= old;
+        while (!loudest.empty() && loudest.front() < old)
+            loudest.pop_front();
+        for (std::size_t& place : loudest)
+            place -= old;
         if (!begun) return;
         *begun -= old;
         last -= old;
@@ -130,6 +141,8 @@ struct SectionFinder::State {
     std::vector<double>& levels = course.squares;  // [unit²] shape [part kept]
     std::uint64_t dropped = 0;                     // parts no longer kept
     std::size_t decided = 0;                       // the first part of which it is not known whether it sounds
+    std::deque<std::size_t> loudest{};             // parts around it, ever softer ones
+    std::size_t met = 0;                           // parts that were ever among them
     std::optional<std::size_t> begun{};            // first part of the open section
     std::size_t last = 0;                          // its last part that sounds
     std::uint64_t first_sample = 0;                // of it
