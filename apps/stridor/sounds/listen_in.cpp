@@ -114,7 +114,10 @@ private:
                 if (!is_stopped && !goes_on_starved()) return false;
                 break;
         }
-        if (block_.is_due()) draw();
+        if (block_.is_due()) {
+            guess();
+            draw();
+        }
         if (!is_stopped || (piece.kind == LivePiece::Kind::samples && rest_ < most_rest)) return true;
         sum_.why = "stopped";
         return false;
@@ -171,6 +174,13 @@ private:
 
     void print(const std::string& line) { console::print(line.ends_with('\n') ? line : line + "\n"); }
 
+    // once a second of sound, for who watches
+    void guess() {
+        if (ear_.heard() < guessed_ + 1.0) return;
+        guessed_ = ear_.heard();
+        ear_.guess();
+    }
+
     void draw() {
         constexpr int standard_error = 2;
         const auto columns = static_cast<std::size_t>(console::terminal_columns(standard_error));
@@ -189,6 +199,7 @@ private:
     Clock::time_point came_ = Clock::now();  // the last samples
     std::size_t rest_ = 0;                   // samples since the stop
     bool is_starved_ = false;
+    double guessed_ = 0.0;  // [s] what was heard then
 };
 
 double begin_of(const ListenInOptions& options) {

@@ -23,6 +23,8 @@ constexpr double tail_time = 0.5;       // [s] that a clip goes on behind its no
 constexpr double settling_time = 10.0;  // [s] after which a passage is told at the latest
 constexpr double motion_window = 3.0;   // [s] of a motion, which has no passages
 constexpr double watched = 60.0;        // [s]
+constexpr double guessed = 3.0;         // [s] as long as most passages
+constexpr double least_guessed = 0.5;   // [s]
 
 bool is_noise(Category category) {
     return category == Category::squeal || category == Category::squeak || category == Category::creak;
@@ -189,12 +191,34 @@ void LiveEar::tell(std::size_t channel, SoundAnalysis part, double from, double 
     std::deque<std::pair<double, double>>& loud = told_[channel].loud;
     while (!loud.empty() && loud.front().first < passage.from - watched)
         loud.pop_front();
-    const double depth = base::power_of_decibels(-options_.thresholds.quiet_depth);
-    passage.is_background =
-        std::any_of(loud.begin(), loud.end(), [&](const auto& each) { return !(power > depth * each.second); });
+    passage.is_background = is_background(channel, power);
     loud.emplace_back(passage.to, power);
     listener_.passage(passage);
     if (is_noise(passage.category())) take_noise(passage);
+}
+
+bool LiveEar::is_background(std::size_t channel, double power) const {
+    const double depth = base::power_of_decibels(-options_.thresholds.quiet_depth);
+    const auto& loud = told_[channel].loud;
+    return std::any_of(loud.begin(), loud.end(), [&](const auto& each) { return !(power > depth * each.second); });
+}
+
+void LiveEar::guess() {
+    for (LiveCourse& course : courses_)
+        course.guess = {};
+    const std::uint64_t from =
+        std::max(take_begin_, heard_ - std::min<std::uint64_t>(heard_, frames_in(guessed, layout_.rate)));
+    if (heard_ - from < frames_in(least_guessed, layout_.rate)) return;
+    const std::unique_ptr<signal::Source> last = ring_.part(layout_, from, heard_);
+    const std::vector<SoundAnalysis> channels = sound::analyse(*last);
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        const classification::RecordingVerdict verdict =
+            classification::verdict_on(channels[channel], options_.thresholds);
+        double power = verdict.passages.empty() ? mean_square_of(channels[channel].stretches) : 0.0;
+        for (const classification::HeardPassage& passage : verdict.passages)
+            power = std::max(power, passage.energy / (passage.to - passage.from));
+        if (!is_background(channel, power)) courses_[channel].guess = {verdict.category, verdict.probability};
+    }
 }
 
 void LiveEar::take_noise(const LivePassage& passage) {

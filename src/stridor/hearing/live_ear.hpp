@@ -73,11 +73,18 @@ struct LiveEarOptions {
     double longest_clip = 30.0;    // [s] of the noise in it
 };
 
+/// What the last three seconds of a channel are, judged by themselves: a first word, seconds before a passage is told.
+struct LiveGuess {
+    classification::Category category = classification::Category::none;
+    double probability = 0.0;  // [1] of an ear; 0 for a motion
+};
+
 /// The level of one channel over the last minute, second by second, for those who watch.
 struct LiveCourse {
     double now = 0.0;                                   // [unit²] averaged as sound level meters do, "fast"
     std::deque<double> seconds{};                       // [unit²] greatest of each, sixty at most; the last is now
     std::deque<classification::Category> categories{};  // of the noise in each second; none: no noise
+    LiveGuess guess{};                                  // of the last call of `LiveEar::guess`
 };
 
 /// Listens to samples as they come.
@@ -95,6 +102,10 @@ public:
 
     /// Ends the sound.
     void finish() { end_take(TakeEnd::end); }
+
+    /// Judges the last three seconds of each channel of this take. Background counts as none. It takes as long as
+    /// hearing these seconds.
+    void guess();
 
     /// Returns how much was heard [s].
     double heard() const { return seconds_of(heard_ + pending_.size() / layout_.channels.size()); }
@@ -122,6 +133,7 @@ private:
                        std::span<const sound::SoundStretch> stretches);
     void tell_stretches(std::size_t channel, std::span<const sound::SoundStretch> stretches, bool is_over);
     void tell(std::size_t channel, sound::SoundAnalysis part, double from, double to);
+    bool is_background(std::size_t channel, double power) const;
     void take_noise(const LivePassage& passage);
     void end_noise();
     void end_take(TakeEnd why);

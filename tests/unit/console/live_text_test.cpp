@@ -51,6 +51,18 @@ TEST(LiveText, ShowsLevelAndNoisesOfTheLastMinute) {
     EXPECT_EQ(lines[2], std::string(34 + 58, ' ') + "cc");  // below the two seconds
 }
 
+TEST(LiveText, SaysWhatSoundsNow) {
+    std::vector<hearing::LiveCourse> courses{minute(), minute(), minute()};
+    courses[0].guess = {Category::squeak, 0.738};
+    courses[1].guess = {Category::creak, 0.0};  // of a motion
+    courses[2].guess = {Category::undecided, 0.4};
+    const auto lines = lines_of(live_block(input_of(3), courses, {}, 120));
+    ASSERT_EQ(lines.size(), 7u);
+    EXPECT_EQ(lines[2], "   now squeak 0.74" + std::string(16 + 58, ' ') + "cc");
+    EXPECT_EQ(lines[4], "   now creak" + std::string(22 + 58, ' ') + "cc");
+    EXPECT_EQ(lines[6], std::string(34 + 58, ' ') + "cc");
+}
+
 TEST(LiveText, KeepsTheLatestWhereATerminalIsNarrow) {
     const std::vector<hearing::LiveCourse> courses{minute()};
     const auto lines = lines_of(live_block(input_of(1), courses, {}, 55));

@@ -188,6 +188,32 @@ TEST(LiveEar, HearsTheSquealAndTheCreak) {
 }
 
 // the pieces are anything from one frame to seconds
+TEST(LiveEar, GuessesWhatSoundsBeforeThePassageIsTold) {
+    std::size_t noisy = 0;
+    LiveListener listener;
+    listener.passage = [&](const LivePassage& passage) { noisy += passage.category() == Category::none ? 0 : 1; };
+    LiveEar ear(stereo(), {}, listener);
+    std::size_t at = 0;
+    const auto hear = [&](double until) {
+        const std::size_t to = 2 * static_cast<std::size_t>(until * rate);
+        ear.push(std::span(drive()).subspan(at, to - at));
+        at = to;
+        ear.guess();
+        return ear.courses().front().guess;
+    };
+    EXPECT_EQ(hear(0.3).category, Category::none);  // too short for a guess
+    EXPECT_EQ(hear(4.5).category, Category::none);
+    const LiveGuess squeal = hear(6.5);
+    EXPECT_EQ(squeal.category, Category::squeal);
+    EXPECT_GT(squeal.probability, 0.5);
+    EXPECT_EQ(noisy, 0U);
+    EXPECT_EQ(hear(17.0).category, Category::none);  // background of the squeal
+    EXPECT_EQ(hear(22.0).category, Category::creak);
+    ear.gap();
+    ear.guess();
+    EXPECT_EQ(ear.courses().front().guess.category, Category::none);
+}
+
 TEST(LiveEar, TellsTheSameHoweverTheSoundIsCut) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         support::CounterRandom random(seed);

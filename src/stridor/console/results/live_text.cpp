@@ -59,6 +59,15 @@ std::string noise_letters(const hearing::LiveCourse& course, std::size_t first) 
     return text;
 }
 
+// "   now squeak 0.74"; nothing where no noise is
+std::string guess_words(const hearing::LiveGuess& guess) {
+    using classification::Category;
+    if (guess.category == Category::none || guess.category == Category::undecided) return {};
+    std::string words = fmt::format("   now {}", classification::name(guess.category));
+    if (guess.probability > 0.0) words += fmt::format(" {:.2f}", guess.probability);
+    return words;
+}
+
 std::string clock_text(double seconds) {
     const auto whole = static_cast<long>(seconds);
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
@@ -114,8 +123,8 @@ std::string live_block(const io::LiveInput& input, std::span<const hearing::Live
         const std::size_t first = course.seconds.size() - std::min(course.seconds.size(), room);
         text += label.substr(0, columns);
         if (room > 0)
-            text += "  " + course_bars(course, first) + "\n" + std::string(label_columns, ' ') +
-                    noise_letters(course, first);
+            text += "  " + course_bars(course, first) + "\n" +
+                    fmt::format("{:<{}}", guess_words(course.guess), label_columns) + noise_letters(course, first);
         text += "\n";
     }
     if (courses.size() > most_channels) text += fmt::format("and {} channels more\n", courses.size() - most_channels);

@@ -22,8 +22,8 @@ std::string live_gap_line(const io::LiveGap& gap);
 std::string live_sum_line(const io::LiveSum& sum);
 
 /// Returns what a live ear hears now, as lines of a terminal that is `columns` wide: what is listened to, and for each
-/// channel its level, the course of the last minute, and under it the first letters of the noises: l squeal, k squeak,
-/// c creak.
+/// channel its level, the course of the last minute, and under them what it is now, by a guess, and the first letters
+/// of the noises: l squeal, k squeak, c creak.
 std::string live_block(const io::LiveInput& input, std::span<const hearing::LiveCourse> courses, const io::LiveSum& sum,
                        std::size_t columns);
 
