@@ -1,24 +1,18 @@
 // Each kind of answer by the native program and by the core in WebAssembly: the same bytes, but for the commit.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 import { program } from "../browser/session.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { random } from "../unit/random.mjs";
 import { npyOf, zipOf } from "../unit/zip_writer.mjs";
 import { startCore } from "./core.mjs";
 import { compare, startServed } from "./served.mjs";
 
 const ready = ["weatherstrip", "two-lips", "chain", "string"];
-let folder;
-
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-anywhere-"));
-});
-
-after(() => rm(folder, { recursive: true, force: true }));
+const folder = scratchFolder();
 
 const axis = (parameter, from, to) => ({ parameter, from, to, points: 5, scale: "linear" });
 const chart = {

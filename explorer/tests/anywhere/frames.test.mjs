@@ -2,25 +2,22 @@
 // python/stridor/_html.py writes it.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
+import { readFile, stat, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
-import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { openPage, program } from "../browser/session.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { until } from "../until.mjs";
 import { openFile, ready, settled, verdict, write } from "./one_file.mjs";
 
 const python = join(dirname(fileURLToPath(import.meta.url)), "../../../python/stridor");
-let folder;
+const folder = scratchFolder();
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-frames-"));
   await writeFile(join(folder, "squeal.toml"), execFileSync(program, ["init", "squeal"]));
 });
-
-after(() => rm(folder, { recursive: true, force: true }));
 
 function report(name, ...more) {
   const options = ["--no-advice", "--points", "4", "-o", name, ...more];

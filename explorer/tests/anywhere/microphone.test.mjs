@@ -1,9 +1,8 @@
 // The microphone of the page in one file: what it hears stays in the file.
 import assert from "node:assert/strict";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile } from "node:fs/promises";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { firefox, openFirefox } from "../browser/firefox.mjs";
 import {
@@ -20,17 +19,15 @@ import {
   writeSqueal,
 } from "../browser/hearing.mjs";
 import { lacking } from "../browser/needs.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { openFile, write } from "./one_file.mjs";
 
-let folder;
+const folder = scratchFolder();
 let file;
 
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-microphone-"));
+before(() => {
   file = write(join(folder, "page.html"));
 });
-
-after(() => rm(folder, { recursive: true, force: true }));
 
 const listening = (t, switches) => openFile(t, file, { fragment: "#view=listen", switches });
 

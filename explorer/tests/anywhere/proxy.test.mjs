@@ -1,22 +1,16 @@
 // A session with the page in one file behind a proxy through which all would go: it refuses all, and counts who asks.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { writeFile } from "node:fs/promises";
 import { createServer } from "node:net";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { program } from "../browser/session.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { until } from "../until.mjs";
 import { drop, openFile, ready, saved, settled, verdict, write } from "./one_file.mjs";
 
-let folder;
-
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-proxy-"));
-});
-
-after(() => rm(folder, { recursive: true, force: true }));
+const folder = scratchFolder();
 
 /** What the browser asks its maker for by itself: updates, lists of dangerous sites. */
 const makers = /^\S+ (https?:\/\/)?([\w-]+\.)*(google|googleapis|gstatic|googleusercontent|chromium|gvt1)\.\w+[:/]/;

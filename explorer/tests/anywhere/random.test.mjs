@@ -3,11 +3,11 @@
 //     STRIDOR_RANDOM_CASES=200 node --test --test-name-pattern=chain tests/anywhere/random.test.mjs
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { program } from "../browser/session.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { random } from "../unit/random.mjs";
 import { startCore } from "./core.mjs";
 import { compare, startServed } from "./served.mjs";
@@ -59,13 +59,7 @@ function randomSet(ranges, number) {
   return set;
 }
 
-let folder;
-
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-random-"));
-});
-
-after(() => rm(folder, { recursive: true, force: true }));
+const folder = scratchFolder();
 
 const questions = {
   "/api/simulate": {},

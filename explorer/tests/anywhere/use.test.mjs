@@ -1,23 +1,20 @@
 // The page in one file as it is used for long: on many processors, by keyboard alone, for hundreds of moves.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readdir, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { program } from "../browser/session.mjs";
+import { scratchFolder } from "../scratch.mjs";
 import { until } from "../until.mjs";
 import { drop, openFile, ready, saved, settled, verdict, write } from "./one_file.mjs";
 
-let folder;
+const folder = scratchFolder();
 let file;
 
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-use-"));
+before(() => {
   file = write(join(folder, "page.html"));
 });
-
-after(() => rm(folder, { recursive: true, force: true }));
 
 const processors = (count) => `Object.defineProperty(navigator, "hardwareConcurrency", { value: ${count} });`;
 

@@ -2,23 +2,22 @@
 // becomes a literal of its type, and the compiler says which key or word is missing in the one or the other.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { scratchFolder } from "../scratch.mjs";
 import { program, startExplorer } from "./session.mjs";
 
 const page = join(dirname(fileURLToPath(import.meta.url)), "../..");
 const files = ["data/types.ts", "data/answer_types.ts", "program/words.ts"].map((name) => join(page, "src", name));
 
-let folder;
+const folder = scratchFolder();
 let explorer;
 let cookie;
 const answers = []; // {type, answer}
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-answers-"));
   const [file, sound, library] = ["seal.toml", "sound.wav", "noises.sqlite"].map((name) => join(folder, name));
   execFileSync(program, ["init", "weatherstrip", "--output", file]);
   execFileSync(program, ["listen", "-", "--out", sound], { input: execFileSync(program, ["init", "creak"]) });
@@ -30,7 +29,6 @@ before(async () => {
 
 after(async () => {
   assert.equal(await explorer?.stop(), 0);
-  await rm(folder, { recursive: true, force: true });
 });
 
 async function ask(path, body, session = { origin: explorer.origin, cookie }) {

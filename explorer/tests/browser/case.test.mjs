@@ -1,13 +1,13 @@
 // The page with a case file: its chart, values with units, and links that open elsewhere.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { openPage, program, startExplorer } from "./session.mjs";
 
-let folder;
+const folder = scratchFolder();
 let explorer;
 let browser;
 let page;
@@ -20,7 +20,6 @@ quantities = ["frequency"]
 `;
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-case-"));
   const file = join(folder, "seal.toml");
   const text = execFileSync(program, ["init", "squeal"], { encoding: "utf8" });
   const changed = text
@@ -40,7 +39,6 @@ before(async () => {
 after(async () => {
   await browser?.close();
   assert.equal(await explorer?.stop(), 0);
-  await rm(folder, { recursive: true, force: true });
 });
 
 async function settled(where) {

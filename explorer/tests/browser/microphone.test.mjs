@@ -1,23 +1,20 @@
 // The microphone of the page that a program serves. A browser hears a file in its place.
 import assert from "node:assert/strict";
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { deaf, expectHeard, expectUnheard, hearing, refusing, writeSqueal } from "./hearing.mjs";
 import { openPage, startExplorer } from "./session.mjs";
 
-let folder;
+const folder = scratchFolder();
 let explorer;
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-microphone-"));
   explorer = await startExplorer();
 });
 
 after(async () => {
   assert.equal(await explorer?.stop(), 0);
-  await rm(folder, { recursive: true, force: true });
 });
 
 async function listening(t, switches) {

@@ -1,19 +1,18 @@
 // The page in a real browser, as a user meets it.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { openPage, program, startExplorer } from "./session.mjs";
 
-let folder;
+const folder = scratchFolder();
 let explorer;
 let browser;
 let page;
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-page-"));
   const [sound, library] = [join(folder, "sound.wav"), join(folder, "noises.sqlite")];
   const text = execFileSync(program, ["init", "creak"]);
   execFileSync(program, ["listen", "-", "--out", sound], { input: text });
@@ -27,7 +26,6 @@ before(async () => {
 after(async () => {
   await browser?.close();
   assert.equal(await explorer?.stop(), 0);
-  await rm(folder, { recursive: true, force: true });
 });
 
 const verdict = (direction) => page.locator("#verdict").getAttribute(`data-${direction}`);

@@ -1,14 +1,13 @@
 // The page with structures of one's own: their fields, contacts, drawing, verdicts, sounds, and what is refused.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile, rm, writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { openPage, program, startExplorer } from "./session.mjs";
 
-const folder = await mkdtemp(join(tmpdir(), "stridor-structure-"));
-after(() => rm(folder, { recursive: true, force: true }));
+const folder = scratchFolder();
 
 /** Opens a case file in the page, and gives the page to `look`. */
 async function withFile(name, text, look, { refuses = false } = {}) {

@@ -1,19 +1,17 @@
 // The tour as a student takes it, and what a keyboard and a screen reader meet on the page.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { openPage, program, startExplorer } from "./session.mjs";
 
-let folder;
+const folder = scratchFolder();
 let explorer;
 let browser;
 let page;
 
 before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-tour-"));
   const [sound, library] = [join(folder, "sound.wav"), join(folder, "noises.sqlite")];
   execFileSync(program, ["listen", "-", "--out", sound], { input: execFileSync(program, ["init", "creak"]) });
   execFileSync(program, ["library", "add", sound, "--library", library, "--system", "seal"], { stdio: "ignore" });
@@ -27,7 +25,6 @@ before(async () => {
 after(async () => {
   await browser?.close();
   assert.equal(await explorer?.stop(), 0);
-  await rm(folder, { recursive: true, force: true });
 });
 
 const title = () => page.locator("#tour-title").innerText();
