@@ -1,9 +1,10 @@
 // Puts the page in one file together: page, styles, the scripts of workers and of the microphone, and the core, as
 // explorer/core builds it.
 //
-//     node build_page.mjs CORE.wasm OUT.html
+//     node build_page.mjs CORE.wasm OUT.html COMMIT
 //
-// `stridor page` writes a case into it. Fails when the file outgrows its budget.
+// `stridor page` writes a case into it and, if it is of the core's commit, what the page asks first with the answers.
+// Fails when the file outgrows its budget.
 import { build } from "esbuild";
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -12,8 +13,8 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const budget = 1_600_000; // bytes
-const [core, out] = process.argv.slice(2);
-if (!core || !out) throw new Error("usage: node build_page.mjs CORE.wasm OUT.html");
+const [core, out, commit] = process.argv.slice(2);
+if (!core || !out || !commit) throw new Error("usage: node build_page.mjs CORE.wasm OUT.html COMMIT");
 const source = join(dirname(fileURLToPath(import.meta.url)), "src");
 
 async function bundle(entry) {
@@ -80,6 +81,7 @@ const html = `<!doctype html>
 <p>Stridor</p>
 <noscript>This page needs JavaScript.</noscript>
 <script type="application/json" id="stridor-case">null</script>
+<script type="text/plain" id="stridor-first" data-commit="${commit}"></script>
 <script type="text/plain" id="stridor-worker">${inert(worker.script)}</script>
 <script type="text/plain" id="stridor-core">${packed}</script>
 <script>${inert(page.script)}</script>

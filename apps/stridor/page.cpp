@@ -1,13 +1,16 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/explorer/first_answers.hpp"
 #include "stridor/explorer/page_file.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace stridor::app {
 
@@ -20,9 +23,12 @@ struct PageOptions {
 
 void page(const PageOptions& options) {
     std::string text = explorer::one_file_page(std::filesystem::read_symlink("/proc/self/exe"));
-    if (!options.input.file.empty())
-        text = explorer::page_with_case(
-            std::move(text), explorer::standing_alone(load_source(options.input.file, options.input.overrides)));
+    std::optional<explorer::StandingCase> standing;
+    if (!options.input.file.empty()) {
+        standing = explorer::standing_alone(load_source(options.input.file, options.input.overrides));
+        text = explorer::page_with_case(std::move(text), *standing);
+    }
+    text = explorer::page_with_first_answers(std::move(text), standing ? &*standing : nullptr);
     console::write_output(options.output, text);
 }
 
@@ -38,8 +44,8 @@ void add_page(CLI::App& program) {
         ->allow_extra_args(false);
     add_output_file(*command, options->output, "file to write (default: stdout)");
     command->footer(
-        "All of the explorer is inside but the noise library and reports; it sends nothing anywhere. Cases whose drive "
-        "is a file of samples stay with stridor explore.\n"
+        "All of the explorer is inside but the noise library and reports; it sends nothing anywhere. The verdict is in "
+        "the file, and the chart if it takes no longer than some seconds.\n"
         "Examples:\n  stridor page -o stridor.html\n  stridor page door-seal.toml -o seal.html");
     command->callback([options] { page(*options); });
 }

@@ -1,5 +1,13 @@
 /** The page in one file: the program's answers come from a module inside it, and nothing leaves the machine. */
-import { beginAnew, caseToBegin, compiledCore, fileWithCase, textOfFile, workerMaker } from "./anywhere/parts.ts";
+import {
+  beginAnew,
+  caseToBegin,
+  compiledCore,
+  fileWithCase,
+  FirstAnswers,
+  textOfFile,
+  workerMaker,
+} from "./anywhere/parts.ts";
 import { chosen, openedIn, textOf, withNamedFiles } from "./anywhere/opened.ts";
 import { Pool } from "./anywhere/pool.ts";
 import { Recordings } from "./anywhere/recordings.ts";
@@ -61,43 +69,75 @@ function seen(): Promise<void> {
   });
 }
 
-async function begin(): Promise<void> {
-  const problem = missing();
-  if (problem) throw new Error(problem);
-  const file = textOfFile();
-  await seen();
-  const maker = workerMaker(fewest);
+/** Workers with the core. */
+async function poolOf(opened: string | null): Promise<Pool> {
+  const pool = new Pool(workerMaker(), Math.max(fewest, navigator.hardwareConcurrency || fewest));
+  pool.prepare(fewest);
   const module = await compiledCore().catch((error: unknown) => {
     if (!/memory/i.test(sentence(error))) throw error;
     throw new Error("The browser gives this page no memory for the program in it. Close other tabs and reload it.");
   });
-  const most = Math.max(fewest, navigator.hardwareConcurrency || fewest);
+  pool.begin({ module, opened });
+  return pool;
+}
+
+/** Says in place of the page why there is none. */
+function giveUp(error: unknown): void {
+  const said = document.createElement("p");
+  said.className = "complaint";
+  said.setAttribute("role", "alert");
+  said.textContent = sentence(error);
+  document.body.replaceChildren(said);
+}
+
+/** An answer that is known: a browser would read its text behind its first layout, 0.1 s later. */
+function atHand(text: string): Response {
+  return Object.assign(new Response(text), { json: async (): Promise<unknown> => JSON.parse(text) });
+}
+
+async function begin(): Promise<void> {
+  const problem = missing();
+  if (problem) throw new Error(problem);
+  await seen();
   const opened = caseToBegin();
-  const pool = new Pool(maker, { module, opened }, most);
-  const first = JSON.stringify(body(designIn(fragment(), opened === null ? paperPreset : ownPreset)));
-  let early: Promise<Response> | null = pool.carry("/api/simulate", { body: first }); // while the page is laid out
-  early.catch(() => {}); // told when it is asked for
+  const known = await FirstAnswers.read(opened);
+  let pool: Promise<Pool> | null = null; // begins with the first question that is not known: a core takes both hands
+  let hasCore = true; // or it is still on its way
+  const ask = async (...asked: Parameters<Pool["carry"]>): Promise<Response> => {
+    pool ??= poolOf(opened).catch((error: unknown) => {
+      hasCore = false;
+      giveUp(error);
+      throw error;
+    });
+    return (await pool).carry(...asked);
+  };
+  const judged = JSON.stringify(body(designIn(fragment(), opened === null ? paperPreset : ownPreset)));
+  let early: Promise<Response> | null = null; // while the page is laid out
+  if (known.to("/api/simulate", judged) === null) early = ask("/api/simulate", { body: judged });
+  early?.catch(() => {}); // told when it is asked for
   carryInside({
     carry(path, init) {
-      if (path === "/api/simulate" && init.body === first && early) {
+      const told = hasCore ? known.to(path, init.body) : null;
+      if (told !== null) return Promise.resolve(atHand(told));
+      if (path === "/api/simulate" && init.body === judged && early) {
         const answer = early;
         early = null;
         return answer;
       }
       // a case that cannot be opened says why in place of the page
-      if (path === "/api/start" && opened !== null) return pool.carry("/api/open", { body: opened });
+      if (path === "/api/start" && opened !== null) return ask("/api/open", { body: opened });
       if (path === "/api/recording")
-        return pool.carry(path, { ...init, body: "microphone.wav" }, init.body as Uint8Array<ArrayBuffer>);
+        return ask(path, { ...init, body: "microphone.wav" }, init.body as Uint8Array<ArrayBuffer>);
       const [, number, what] = /^\/api\/library\/(\d+)\/(audio|analysis)$/.exec(path) ?? [];
       const recording = recordings.at(Number(number));
-      if (!recording) return pool.carry(path, init);
+      if (!recording) return ask(path, init);
       if (what === "audio") return Promise.resolve(new Response(recording.file));
-      return pool.carry("/api/recording", { ...init, body: recording.name }, recording.bytes);
+      return ask("/api/recording", { ...init, body: recording.name }, recording.bytes);
     },
     recording: (number) => recordings.at(number)?.name ?? "",
     saved: (toml) => {
       const files = opened === null ? {} : openedIn(opened).files;
-      return fileWithCase(file(), textOf(withNamedFiles({ toml, files })));
+      return fileWithCase(textOfFile(), textOf(withNamedFiles({ toml, files })));
     },
     open,
   });
@@ -105,10 +145,4 @@ async function begin(): Promise<void> {
   await import("./main.ts");
 }
 
-begin().catch((error: unknown) => {
-  const said = document.createElement("p");
-  said.className = "complaint";
-  said.setAttribute("role", "alert");
-  said.textContent = error instanceof Error ? error.message : String(error);
-  document.body.replaceChildren(said);
-});
+begin().catch(giveUp);

@@ -89,7 +89,8 @@ class Page {
       (view) => view !== "library" || start_.library,
     );
     this.motions_.listen(() => {
-      const { motion } = this.motions_;
+      const { motion, problem } = this.motions_;
+      if (problem !== null) this.complain_(problem);
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
     });
     onLook(() => {
@@ -172,8 +173,8 @@ class Page {
     const { state } = this.store_;
     const first = this.presetCase_(state.design.preset);
     if (first) this.parameters_.show(state, first, { ...state.design, set: {} });
-    this.chart_.follow(state, "replace");
     this.runs_.ask(state.design);
+    this.chart_.follow(state, "replace");
     this.views_.show({ state, simulation: null, step: "replace" });
   }
 

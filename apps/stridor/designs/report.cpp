@@ -7,6 +7,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/explorer/first_answers.hpp"
 #include "stridor/explorer/page_file.hpp"
 #include "stridor/io/advice/advice_texts.hpp"
 #include "stridor/io/case/toml_case.hpp"
@@ -138,8 +139,10 @@ std::string document_text(const io::TomlSource& source, const char* key, const s
 
 // before the work begins: a program may have no page
 std::string live_page(const io::TomlSource& source) {
-    return explorer::page_with_case(explorer::one_file_page(std::filesystem::read_symlink("/proc/self/exe")),
-                                    explorer::standing_alone(source));
+    const explorer::StandingCase standing = explorer::standing_alone(source);
+    return explorer::page_with_first_answers(
+        explorer::page_with_case(explorer::one_file_page(std::filesystem::read_symlink("/proc/self/exe")), standing),
+        &standing);
 }
 
 void make_report(const ReportOptions& options) {

@@ -5,17 +5,27 @@ import { hasAddress, keptInTab, write } from "../state/place.ts";
 
 const openedKept = "stridor-opened"; // in the session's storage: a case that was opened in the page
 
+let whole: Element | null = null;
+
+/** The file as it was when it was first asked for, whatever the page changes. */
+function file(): Element {
+  return (whole ??= document.documentElement.cloneNode(true) as Element);
+}
+
 /** The text of an inert element of the file. */
 function partOf(id: string): string {
-  return document.getElementById(id)?.textContent ?? "";
+  return file().querySelector(`#${id}`)?.textContent ?? "";
+}
+
+function caseInFile(): string | null {
+  const text = partOf("stridor-case").trim();
+  return text === "" || text === "null" ? null : text;
 }
 
 /** The case to begin with (opened.ts): what was opened in this tab, or what is in the file; null: the paper's cases. */
 export function caseToBegin(): string | null {
   const opened = hasAddress ? keptInTab.get(openedKept) : null; // the tab of a frame is another page's
-  if (opened !== null) return opened;
-  const text = partOf("stridor-case").trim();
-  return text === "" || text === "null" ? null : text;
+  return opened ?? caseInFile();
 }
 
 /** Loads the page anew with another case (opened.ts). */
@@ -31,10 +41,9 @@ export function beginAnew(opened: string): void {
   location.reload();
 }
 
-/** Gives the whole text of the file as it stands now, whatever the page changes until it is wanted. */
-export function textOfFile(): () => string {
-  const whole = document.documentElement.cloneNode(true) as Element;
-  return () => `<!doctype html>\n${whole.outerHTML}\n`;
+/** The whole text of the file. */
+export function textOfFile(): string {
+  return `<!doctype html>\n${file().outerHTML}\n`;
 }
 
 /** The bytes of the letters in the file's encoding, windows-1252; of others that of "?". */
@@ -42,16 +51,21 @@ const byteOf = new Uint8Array(0x10000).fill(63);
 const letters = new TextDecoder("windows-1252").decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
 for (let byte = 0; byte < letters.length; ++byte) byteOf[letters.charCodeAt(byte)] = byte;
 
+/** The text of the file with another text in one of its inert elements, if it has that one. */
+function withPart(file: string, id: string, text: string): string {
+  const place = file.indexOf(`id="${id}"`);
+  if (place < 0) return file;
+  const from = file.indexOf(">", place) + 1;
+  return file.slice(0, from) + text + file.slice(file.indexOf("</script>", from));
+}
+
 /** The bytes of the file with a case (opened.ts) in it; no text ends the element that holds it. */
 export function fileWithCase(file: string, opened: string): Uint8Array<ArrayBuffer> {
-  const begin = '<script type="application/json" id="stridor-case">';
-  const from = file.indexOf(begin) + begin.length;
-  const to = file.indexOf("</script>", from);
   const json = opened.replace(
     /[<\u0080-\uffff]/g,
     (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`,
   );
-  const text = file.slice(0, from) + json + file.slice(to);
+  const text = withPart(withPart(file, "stridor-case", json), "stridor-first", ""); // its answers are of another case
   const bytes = new Uint8Array(text.length);
   for (let k = 0; k < text.length; ++k) bytes[k] = byteOf[text.charCodeAt(k)] as number;
   return bytes;
@@ -71,30 +85,57 @@ export function bytesOf(text: string): Uint8Array<ArrayBuffer> {
   return bytes.subarray(0, length);
 }
 
-/** The core, compiled. */
-export async function compiledCore(): Promise<WebAssembly.Module> {
-  const packed = new Blob([bytesOf(partOf("stridor-core"))]);
-  const unpacked = packed.stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "Content-Type": "application/wasm" } }));
+function unpacked(id: string, format: CompressionFormat): ReadableStream<Uint8Array<ArrayBuffer>> {
+  return new Blob([bytesOf(partOf(id))]).stream().pipeThrough(new DecompressionStream(format));
 }
 
-/** Makes workers that run the script in the file; the first ones, so many, load while the core is unpacked. */
-export function workerMaker(first: number): () => Worker {
+/** The core, compiled. */
+export async function compiledCore(): Promise<WebAssembly.Module> {
+  const headers = { "Content-Type": "application/wasm" };
+  return WebAssembly.compileStreaming(new Response(unpacked("stridor-core", "gzip"), { headers }));
+}
+
+/** A value with the keys of each object in their alphabet: what says the same has the same text. */
+function sorted(value: unknown): unknown {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) return value;
+  return Object.fromEntries(
+    Object.entries(value)
+      .sort(([one], [other]) => (one < other ? -1 : 1))
+      .map(([key, held]) => [key, sorted(held)]),
+  );
+}
+
+/** What the program that wrote the file answered beforehand. */
+export class FirstAnswers {
+  private constructor(private readonly known_: ReadonlyMap<string, string>) {}
+
+  /** Of another case than the file's: none. */
+  static async read(opened: string | null): Promise<FirstAnswers> {
+    if (partOf("stridor-first") === "" || opened !== caseInFile()) return new FirstAnswers(new Map());
+    const text = await new Response(unpacked("stridor-first", "deflate-raw")).text();
+    const all = JSON.parse(text) as { path: string; body: unknown; answer: string }[];
+    return new FirstAnswers(new Map(all.map(({ path, body, answer }) => [FirstAnswers.key_(path, body), answer])));
+  }
+
+  /** The answer to a question; null: it must be asked. */
+  to(path: string, body: unknown): string | null {
+    const isJson = typeof body === "string" && body.startsWith("{");
+    return this.known_.get(FirstAnswers.key_(path, isJson ? JSON.parse(body) : "")) ?? null;
+  }
+
+  private static key_(path: string, body: unknown): string {
+    return path + JSON.stringify(sorted(body));
+  }
+}
+
+/** Makes workers that run the script in the file. */
+export function workerMaker(): () => Worker {
   const url = URL.createObjectURL(new Blob([partOf("stridor-worker")], { type: "text/javascript" }));
-  const made = (): Worker => {
+  return () => {
     try {
       return new Worker(url);
     } catch {
       throw new Error(noWorkers);
     }
-  };
-  const waiting = new Set(Array.from({ length: first }, made));
-  // one that fails before anybody asks it is made anew for who asks, and tells him why
-  for (const worker of waiting) worker.onerror = () => waiting.delete(worker);
-  return () => {
-    const [worker] = waiting;
-    if (!worker) return made();
-    waiting.delete(worker);
-    return worker;
   };
 }

@@ -27,6 +27,7 @@ interface Labour {
 }
 
 export class Pool {
+  private begin_: Begin | null = null;
   private ready_: Worker[] = [];
   private readonly asked_: Labour[] = [];
   private working_ = 0;
@@ -37,9 +38,19 @@ export class Pool {
    */
   constructor(
     private readonly make_: () => Worker,
-    private readonly begin_: Begin,
     private readonly most_: number,
   ) {}
+
+  /** Makes so many workers, which load their script while the core is still unpacked. */
+  prepare(count: number): void {
+    while (this.ready_.length < count) this.keep_(this.newWorker_());
+  }
+
+  /** Gives the workers their core. From now on it answers. */
+  begin(begin: Begin): void {
+    this.begin_ = begin;
+    for (const worker of this.ready_) worker.postMessage(begin);
+  }
 
   /** The answer, as `fetch` gives it. */
   carry(path: string, init: RequestInit, recording?: Uint8Array<ArrayBuffer>): Promise<Response> {
@@ -132,7 +143,7 @@ export class Pool {
 
   private newWorker_(): Worker {
     const worker = this.make_();
-    worker.postMessage(this.begin_);
+    if (this.begin_) worker.postMessage(this.begin_);
     return worker;
   }
 

@@ -18,7 +18,7 @@ interface Wish {
 export class Motions {
   motion: Motion | null = null;
   isFine = false;
-  problem = "";
+  problem: unknown = null; // why there is no newer motion
   private readonly requests_ = new Latest<Wish>((wish, signal) => this.fetch_(wish, signal));
   private readonly listeners_: (() => void)[] = [];
   private current_: Wish | null = null;
@@ -56,11 +56,11 @@ export class Motions {
       const interval = wish.fine ? null : Math.max(wish.to / coarseSamples, 1e-7);
       this.motion = await api.motion(wish.design, { from: 0, to: wish.to, interval }, signal);
       this.isFine = wish.fine;
-      this.problem = "";
+      this.problem = null;
       if (!wish.fine && this.wantsFine_) this.later_();
     } catch (error) {
       if (api.isAbort(error)) return;
-      this.problem = api.sentence(error);
+      this.problem = error;
     }
     for (const listener of this.listeners_) listener();
   }

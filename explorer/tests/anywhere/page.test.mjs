@@ -1,19 +1,13 @@
 // The page in one file in a real browser, opened from the disk: nothing is asked of anybody, and all of it works.
 import assert from "node:assert/strict";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
+import { scratchFolder } from "../scratch.mjs";
 import { until } from "../until.mjs";
 import { openFile, ready, saved, settled, verdict, write } from "./one_file.mjs";
 
-let folder;
-
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "stridor-one-file-"));
-});
-
-after(() => rm(folder, { recursive: true, force: true }));
+const folder = scratchFolder();
 
 const written = (name, toml) => write(join(folder, name), toml);
 
@@ -46,6 +40,18 @@ test("begins with the case in it, whatever its structure", async (t) => {
     assert.equal(await page.locator("#complaint").isVisible(), false, kind);
     assert.match(page.url(), /preset=file/);
     assert.deepEqual(sins, [], kind);
+  }
+});
+
+test("knows the verdict of its case before its program has begun", async (t) => {
+  for (const kind of [null, "quiet", "chain"]) {
+    const file = written(`first-${kind}.html`, kind && ready(kind));
+    const { page, sins } = await openFile(t, file, {
+      init: "WebAssembly.compileStreaming = () => new Promise(() => {});",
+    });
+    await page.waitForSelector('#verdict[aria-busy="false"]');
+    if (kind !== "chain") assert.equal(await verdict(page), kind ? "none" : "squeal");
+    assert.deepEqual(sins, [], kind ?? "paper");
   }
 });
 

@@ -2,6 +2,10 @@
 
 #include "stridor/base/json.hpp"
 #include "stridor/base/packed_bytes.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/explorer/answers/answers.hpp"
+#include "stridor/explorer/body.hpp"
+#include "stridor/explorer/first_answers.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
@@ -9,6 +13,7 @@
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
 
+#include <boost/beast/zlib/inflate_stream.hpp>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -80,6 +85,78 @@ TEST(PageFile, TakesTheSamplesOfADriveAlong) {
     const base::Json held = base::Json::parse(page.substr(head.size(), page.size() - head.size() - tail.size()));
     EXPECT_EQ(held["toml"], standing.toml);
     EXPECT_EQ(held["files"]["velocity.csv"], base::base64(samples));
+}
+
+std::string place_of_answers(std::string_view commit) {
+    return R"(<script type="text/plain" id="stridor-first" data-commit=")" + std::string(commit) + R"(">)";
+}
+
+// the answers as the page reads them; null: there are none
+base::Json answers_in(const std::string& page) {
+    const std::string place = place_of_answers(base::commit());
+    const std::string letters = page.substr(place.size(), page.size() - place.size() - tail.size());
+    EXPECT_EQ(page, place + letters + tail);
+    if (letters.empty()) return nullptr;
+    EXPECT_EQ(letters.find_first_of(std::string("<\r\0", 3)), letters.npos);
+    std::string packed;
+    for (std::size_t k = 0; k < letters.size(); ++k)
+        packed += letters[k] == '=' ? static_cast<char>(letters[++k] - 64) : letters[k];
+    std::string text(std::size_t{1} << 22U, '\0');
+    boost::beast::zlib::z_params ends{packed.data(), packed.size(), 0, text.data(), text.size()};
+    boost::beast::error_code error;
+    boost::beast::zlib::inflate_stream().write(ends, boost::beast::zlib::Flush::sync, error);
+    return base::Json::parse(text.substr(0, ends.total_out));
+}
+
+base::Json told(const base::Json& answers, const std::string& path) {
+    for (const base::Json& one : answers)
+        if (one["path"] == path) return one;
+    return base::Json::object();
+}
+
+base::Json answers_with(const std::string& toml) {
+    const StandingCase standing = standing_alone({toml, "a.toml", {}});
+    return answers_in(page_with_first_answers(place_of_answers(base::commit()) + tail, &standing));
+}
+
+TEST(FirstAnswers, AreThoseOfThePapersSqueal) {
+    const base::Json answers = answers_in(page_with_first_answers(place_of_answers(base::commit()) + tail, nullptr));
+    const World world{paper_presets(), {}};
+    const base::Json body{{"preset", "squeal"}, {"set", base::Json::array()}};
+    EXPECT_EQ(told(answers, "/api/start").at("answer"), start(world).body);
+    EXPECT_EQ(told(answers, "/api/simulate").at("body"), body);
+    EXPECT_EQ(told(answers, "/api/simulate").at("answer"), simulate(world, body, {}).body);
+    const base::Json stands = told(answers, "/api/design");
+    EXPECT_EQ(stands.at("answer"), design(world, stands.at("body"), {}).body);
+    EXPECT_EQ(told(answers, "/api/chart").at("body").at("chart"), default_chart());
+}
+
+TEST(FirstAnswers, HaveTheWholeChartOfTheCaseInOneFrame) {
+    const std::string toml = io::ready_file("chain");
+    const base::Json answers = answers_with(toml);
+    EXPECT_EQ(told(answers, "/api/simulate").at("body").at("preset"), "file");
+    const base::Json charted = told(answers, "/api/chart");
+    const World world{{preset_of({toml, "a.toml", {}}, {})}, {}};
+    base::Json last;
+    chart(world, charted.at("body"), {}).stream([&](const auto& line) { last = base::Json::parse(line); }, {});
+    const base::Json kept = base::Json::parse(charted.at("answer").get<std::string>());
+    EXPECT_EQ(kept.at("directions"), base::Json({"going", "coming"}));
+    for (const char* name : {"done", "computed", "category", "computed_mask", "boundaries"})
+        EXPECT_EQ(kept.at(name), last.at(name)) << name;
+}
+
+TEST(FirstAnswers, LeaveOutAChartThatKeepsTheWriterWaiting) {
+    const base::Json answers = answers_with(io::ready_file("two-lips"));
+    EXPECT_FALSE(told(answers, "/api/simulate").empty());
+    EXPECT_TRUE(told(answers, "/api/chart").empty());
+}
+
+TEST(FirstAnswers, AreLeftOutWhereThePageMustAskItself) {
+    const std::string of_other = place_of_answers("0123") + tail;
+    EXPECT_EQ(page_with_first_answers(of_other, nullptr), of_other);
+    const std::string page = place_of_answers(base::commit()) + tail;
+    for (const StandingCase& standing : {StandingCase{"contact = 1\n"}, StandingCase{"", {{"velocity.csv", "0,1"}}}})
+        EXPECT_EQ(answers_in(page_with_first_answers(page, &standing)), nullptr);
 }
 
 }  // namespace

@@ -16,6 +16,12 @@ test("a case in the file is text, whatever it says", () => {
   }
 });
 
+test("the answers of another case do not stay in the file", () => {
+  const file = `${begin}null</script><script type="text/plain" id="stridor-first" data-commit="a">=@x</script><p>`;
+  const text = Buffer.from(fileWithCase(file, '"title = 1"')).toString("latin1");
+  assert.equal(text, file.replace("null", '"title = 1"').replace("=@x", ""));
+});
+
 test("bytes come out of the letters of a page", () => {
   const bytes = Uint8Array.from({ length: 256 }, (_, k) => k);
   const escaped = [...bytes].flatMap((byte) => ([0, 13, 60, 61].includes(byte) ? [61, byte + 64] : [byte]));
