@@ -43,13 +43,13 @@ test("begins with the case in it, whatever its structure", async (t) => {
   }
 });
 
-test("knows the verdict of its case before its program has begun", async (t) => {
+test("knows the verdict and the chart of its case before its program has begun", async (t) => {
   for (const kind of [null, "quiet", "chain"]) {
     const file = written(`first-${kind}.html`, kind && ready(kind));
     const { page, sins } = await openFile(t, file, {
       init: "WebAssembly.compileStreaming = () => new Promise(() => {});",
     });
-    await page.waitForSelector('#verdict[aria-busy="false"]');
+    await settled(page);
     if (kind !== "chain") assert.equal(await verdict(page), kind ? "none" : "squeal");
     assert.deepEqual(sins, [], kind ?? "paper");
   }
