@@ -187,7 +187,6 @@ TEST(LiveEar, HearsTheSquealAndTheCreak) {
     EXPECT_TRUE(is_told(Category::creak, 20.0, 23.0));
 }
 
-// the pieces are anything from one frame to seconds
 TEST(LiveEar, GuessesWhatSoundsBeforeThePassageIsTold) {
     std::size_t noisy = 0;
     LiveListener listener;
@@ -214,6 +213,7 @@ TEST(LiveEar, GuessesWhatSoundsBeforeThePassageIsTold) {
     EXPECT_EQ(ear.courses().front().guess.category, Category::none);
 }
 
+// the pieces are anything from one frame to seconds
 TEST(LiveEar, TellsTheSameHoweverTheSoundIsCut) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         support::CounterRandom random(seed);
