@@ -4,6 +4,8 @@ import { readFile } from "node:fs/promises";
 import { pathToFileURL } from "node:url";
 import { openPage, program } from "../browser/session.mjs";
 
+export { settled } from "../browser/session.mjs";
+
 /** A case (TOML) of a kind. */
 export const ready = (kind) => execFileSync(program, ["init", kind], { encoding: "utf8" });
 
@@ -24,12 +26,6 @@ export async function openFile(t, file, { fragment = "", init, ...options } = {}
   if (init) await browser.page.addInitScript(init);
   await browser.goto(fragment);
   return browser;
-}
-
-/** Waits until the verdict and the whole chart of a page or a frame are there. */
-export async function settled(page) {
-  await page.locator('#verdict[aria-busy="false"]').waitFor();
-  await page.locator('#chart[data-done="true"]').waitFor();
 }
 
 /** The category of a direction. */

@@ -5,7 +5,7 @@ import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { scratchFolder } from "../scratch.mjs";
-import { openPage, program, startExplorer } from "./session.mjs";
+import { moving, openPage, program, settled, startExplorer } from "./session.mjs";
 
 const folder = scratchFolder();
 let explorer;
@@ -40,11 +40,6 @@ after(async () => {
   await browser?.close();
   assert.equal(await explorer?.stop(), 0);
 });
-
-async function settled(where) {
-  await where.waitForSelector('#verdict[aria-busy="false"]');
-  await where.waitForSelector('#chart[data-done="true"]');
-}
 
 async function type(key, text) {
   const field = page.locator(`[data-field="${key}"]`);
@@ -322,6 +317,7 @@ test("units are a choice of the browser: what is sent stays the same to the last
     assert.equal(await field.inputValue(), "1.5 kN/m");
     const [value, address] = [await moved(), said()];
     await settled(page);
+    await moving(page);
     // what the design before still asks for (its fine motion, its surroundings) may come late: it asks for that design
     const requests = [];
     page.on("request", (request) => requests.push([new URL(request.url()).pathname, request.postDataJSON()?.set]));

@@ -5,7 +5,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { scratchFolder } from "../scratch.mjs";
-import { openPage, program, startExplorer } from "./session.mjs";
+import { openPage, program, settled, startExplorer } from "./session.mjs";
 
 const folder = scratchFolder();
 let explorer;
@@ -30,27 +30,22 @@ after(async () => {
 
 const verdict = (direction) => page.locator("#verdict").getAttribute(`data-${direction}`);
 
-async function settled() {
-  await page.waitForSelector('#verdict[aria-busy="false"]');
-  await page.waitForSelector('#chart[data-done="true"]');
-}
-
 async function choose(preset) {
   await page.locator(`input[data-preset="${preset}"]`).check({ force: true });
   const reset = page.locator("#reset-all");
   if (await reset.isEnabled()) await reset.click();
-  await settled();
+  await settled(page);
 }
 
 async function setSlider(key, value) {
   const field = page.locator(`[data-field="${key}"]`);
   await field.fill(String(value));
   await field.press("Enter");
-  await settled();
+  await settled(page);
 }
 
 test("opens with the paper's squeal and leaves no token in the address", async () => {
-  await settled();
+  await settled(page);
   assert.equal(await verdict("going"), "squeal");
   assert.equal(await verdict("coming"), "none");
   assert.ok(!page.url().includes("token"));
@@ -99,7 +94,7 @@ test("dragging a slider redraws the chart while it moves", async () => {
   }
   assert.ok((await redraws()) > before + 3);
   await page.mouse.up();
-  await settled();
+  await settled(page);
 });
 
 test("the address holds the whole state: a copy of it shows the same, and back goes back", async () => {
@@ -110,13 +105,13 @@ test("the address holds the whole state: a copy of it shows the same, and back g
   const category = await verdict("going");
   await choose("quiet");
   await page.goBack();
-  await settled();
+  await settled(page);
   assert.equal(page.url(), address);
   assert.equal(await page.locator('[data-field="contact.preload"]').inputValue(), "35 N");
   const fragment = new URL(address).hash;
   await page.goto("about:blank");
   await page.goto(`${explorer.origin}/${fragment}`);
-  await settled();
+  await settled(page);
   assert.equal(await verdict("going"), category);
   assert.equal(await page.locator('[data-field="contact.preload"]').inputValue(), "35 N");
 });
@@ -127,7 +122,7 @@ test("arrow keys move the cell", async () => {
   await page.locator("#chart canvas").first().focus();
   await page.keyboard.press("ArrowRight");
   await page.waitForFunction((old) => location.href !== old, before);
-  await settled();
+  await settled(page);
 });
 
 test("a wrong value is refused in words, and the old one stays", async () => {
@@ -170,7 +165,7 @@ test("keep quiet names a change that makes it quiet with one click", async () =>
   await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, {
     timeout: 30000,
   });
-  await settled();
+  await settled(page);
   assert.equal(await verdict("coming"), "none");
 });
 
@@ -318,7 +313,7 @@ test("the law of friction is drawn, and a point of it goes with the hand and wit
   await page.mouse.down();
   await page.mouse.move(across, down + 30, { steps: 5 });
   await page.mouse.up();
-  await settled();
+  await settled(page);
   const dragged = parseFloat(await field.inputValue());
   assert.ok(dragged < before - 0.05, `${before} -> ${dragged}`);
   await page.waitForFunction(
@@ -327,11 +322,11 @@ test("the law of friction is drawn, and a point of it goes with the hand and wit
     y + 30,
   );
   await grip.press("ArrowUp");
-  await settled();
+  await settled(page);
   assert.ok(parseFloat(await field.inputValue()) > dragged);
   await page.goBack();
   await page.goBack();
-  await settled();
+  await settled(page);
   assert.equal(parseFloat(await field.inputValue()), before);
   await page.locator("#tab-response").click();
 });

@@ -87,3 +87,14 @@ export async function openPage(explorer, { switches = [], ...options } = {}) {
     },
   };
 }
+
+/** Waits until the verdict and the whole chart of a page or a frame are there. */
+export async function settled(page) {
+  await page.locator('#verdict[aria-busy="false"]').waitFor();
+  await page.locator('#chart[data-done="true"]').waitFor();
+}
+
+/** Waits until the motion is drawn: it may come after verdict and chart, for it is asked for after the verdict. */
+export async function moving(page) {
+  await page.locator("#mechanism-readout:not(:empty)").waitFor({ state: "attached" });
+}

@@ -5,6 +5,7 @@ import { readFile, rm, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import { scratchFolder } from "../scratch.mjs";
+import { until } from "../until.mjs";
 import { openPage, program, startExplorer } from "./session.mjs";
 
 const folder = scratchFolder();
@@ -64,7 +65,7 @@ test("a chain shows its fields, its contacts and their verdicts", async () => {
       "block5",
       "block6",
     ]);
-    assert.ok((await colours(page, "#mechanism")) > 20);
+    await until(async () => (await colours(page, "#mechanism")) > 20, "the drawing of the structure");
     assert.match(await page.locator("#verdict .chip").first().innerText(), /contact -?[\d.]+ dB/);
     // a click on a row of states chooses that contact
     const box = await page.locator("#response").boundingBox();
@@ -122,7 +123,7 @@ test("a bowed string moves in Helmholtz' motion, and is heard", async () => {
       if (done === "true") return Number(redraws) > 2;
       return done === "false" && Number(computed) > 0 && Number(computed) < Number(total);
     });
-    assert.ok((await colours(page, "#mechanism")) > 20);
+    await until(async () => (await colours(page, "#mechanism")) > 20, "the drawing of the structure");
     const shown = Number(await page.locator("#verdict").evaluate(({ dataset }) => dataset.all !== undefined));
     assert.equal(shown, 1);
     await page.locator("#tab-listen").click();
