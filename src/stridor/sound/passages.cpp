@@ -151,7 +151,9 @@ struct StretchFinder::State {
         std::size_t first = 0;
         std::size_t first_part = 0;
         while (parts.squares.size() - first_part >= ahead) {
-            const std::size_t cut = cut_after(std::span(parts.squares).subspan(first_part), longest);
+            // what lies further ahead has come already or not, by the size of what is pushed, and does not count
+            const std::size_t seen = std::min(longest + sustained, parts.squares.size() - first_part);
+            const std::size_t cut = cut_after(std::span(parts.squares).subspan(first_part, seen), longest);
             std::size_t length = cut * parts.length();
             if (end == End::reached && first_part + cut == parts.squares.size()) length = pending.size() - first;
             describe(std::span(pending).subspan(first, length));

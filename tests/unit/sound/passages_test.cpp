@@ -14,13 +14,22 @@
 namespace stridor::sound {
 namespace {
 
-// pushed in blocks of so many samples
-std::vector<Passage> passages_of(const signal::Signal& signal, std::size_t block) {
-    PassageFinder finder(signal.rate);
+// what a finder finds in a signal that is pushed in blocks of so many samples
+template <typename Finder>
+auto found_by(const signal::Signal& signal, std::size_t block) {
+    Finder finder(signal.rate);
     const std::span<const double> samples(signal.samples);
     for (std::size_t first = 0; first < samples.size(); first += block)
         finder.push(samples.subspan(first, std::min(block, samples.size() - first)));
     return finder.finish();
+}
+
+std::vector<Passage> passages_of(const signal::Signal& signal, std::size_t block) {
+    return found_by<PassageFinder>(signal, block);
+}
+
+std::vector<SoundStretch> stretches_of(const signal::Signal& signal, std::size_t block) {
+    return found_by<StretchFinder>(signal, block);
 }
 
 std::vector<double> durations(const signal::Signal& signal) {
@@ -109,6 +118,25 @@ TEST(Passages, AreTheSameInBlocksOfAnySize) {
         EXPECT_EQ(whole[k].tones.presence, parts[k].tones.presence);
         EXPECT_EQ(whole[k].onsets.instants, parts[k].onsets.instants);
         EXPECT_EQ(whole[k].onsets.beat, parts[k].onsets.beat);
+    }
+}
+
+// the loud tone lies ahead of the soft hiss, in the same block or in a later one
+TEST(Stretches, AreTheSameInBlocksOfAnySize) {
+    const signal::Signal hiss = softer(support::hiss(0.4), 70.0);
+    const signal::Signal softer_hiss = softer(support::hiss(0.4), 80.0);
+    const signal::Signal sound =
+        joined({hiss, softer_hiss, hiss, softer_hiss, hiss, support::squeal(1.0), softer_hiss, hiss, softer_hiss});
+    const std::vector<SoundStretch> whole = stretches_of(sound, sound.samples.size());
+    ASSERT_GT(whole.size(), 8U);
+    for (const std::size_t block : {1U, 480U, 4800U, 65536U}) {
+        const std::vector<SoundStretch> parts = stretches_of(sound, block);
+        ASSERT_EQ(whole.size(), parts.size()) << block;
+        for (std::size_t k = 0; k < whole.size(); ++k) {
+            EXPECT_EQ(whole[k].features.from, parts[k].features.from) << block;
+            EXPECT_EQ(whole[k].features.duration, parts[k].features.duration) << block;
+            EXPECT_EQ(whole[k].features.mean_square, parts[k].features.mean_square) << block;
+        }
     }
 }
 
