@@ -151,8 +151,50 @@ TEST(ClassifyMany, NamesTheChannelThatDecidesAndWhatTheOtherIs) {
     EXPECT_EQ(rows[0]["channel"], 1);
     EXPECT_EQ(rows[0]["channels"], 2);
     EXPECT_TRUE(rows[0]["reasons"].back().get<std::string>().starts_with("channel 2 is none")) << rows[0];
+    EXPECT_EQ(rows[0]["other_channels"][0]["channel"], 2);
+    EXPECT_EQ(rows[0]["other_channels"][0]["category"], "none");
+    const Finished table = run({"classify", "pair.csv", "pair.csv", "--csv", "rows.csv"}, folder.path());
+    EXPECT_TRUE(table.out.ends_with("2 recordings: squeal 2; further channels differ: none 2\n")) << table.out;
+    EXPECT_NE(read_text(folder / "rows.csv").find(",2 none"), std::string::npos);
     // of two that are heard alike there is nothing to say
     const json same =
         json_of(run({"classify", "pair.csv", "pair.csv", "--channel", "near", "--json"}, folder.path()).out);
     EXPECT_EQ(same["recordings"][0]["reasons"].dump().find("channel"), std::string::npos);
+}
+
+// rules judge motions and forces, the ear what is heard through air: a threshold of the others is set in vain
+TEST(Classify, SaysOfAThresholdThatItChangesNothing) {
+    const ScratchFolder folder;
+    fill(folder);
+    const auto told = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), "classify");
+        return run(words, folder.path()).err;
+    };
+    const std::string vain = "changes nothing here";
+    for (const char* file : {"alone.csv", "takes"}) {
+        EXPECT_NE(told({file, "--set", "squeal_regularity=0.9"}).find("squeal_regularity " + vain), std::string::npos);
+        EXPECT_EQ(told({file, "--set", "certainty=0.6"}).find(vain), std::string::npos);
+        EXPECT_EQ(told({file, "--set", "quiet_depth=20"}).find(vain), std::string::npos);
+        const auto motion = [&](const char* set) { return told({file, "--full-scale", "1 m/s", "--set", set}); };
+        EXPECT_EQ(motion("squeal_regularity=0.9").find(vain), std::string::npos);
+        EXPECT_NE(motion("certainty=0.6").find("certainty " + vain), std::string::npos);
+    }
+}
+
+TEST(Classify, CallsHissNoSilenceAndSilenceNoVerdict) {
+    const ScratchFolder folder;
+    std::string hiss = "time [s],hiss\n";
+    std::string nothing = "time [s],nothing\n";
+    std::mt19937 random(3);
+    for (int n = 0; n < 16000; ++n) {
+        hiss +=
+            std::to_string(n / 16000.0) + "," + std::to_string(static_cast<double>(random() % 2001) / 1e4 - 0.1) + "\n";
+        nothing += std::to_string(n / 16000.0) + ",0\n";
+    }
+    write_text(folder / "hiss.csv", hiss);
+    write_text(folder / "nothing.csv", nothing);
+    EXPECT_EQ(run({"classify", "hiss.csv"}, folder.path()).out.find("silence"), std::string::npos);
+    const std::string told = run({"classify", "nothing.csv"}, folder.path()).out;
+    EXPECT_NE(told.find("there is nothing to hear"), std::string::npos) << told;
+    EXPECT_EQ(told.find("with "), std::string::npos) << told;
 }

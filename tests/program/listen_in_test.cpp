@@ -301,7 +301,7 @@ TEST(ListenIn, TellsWhatWasCut) {
     EXPECT_NE(only(cut, "gap")[0]["why"].get<std::string>().find("it was cut"), std::string::npos);
     const std::vector<json> odd = events_of(hear(raw_with({"--json"}), folder, drive() + "x").out);
     ASSERT_EQ(only(odd, "gap").size(), 1u);
-    EXPECT_NE(only(odd, "gap")[0]["why"].get<std::string>().find("1 bytes of a frame of 2"), std::string::npos);
+    EXPECT_NE(only(odd, "gap")[0]["why"].get<std::string>().find("1 byte of a frame of 2"), std::string::npos);
     // what stands behind the samples is no sound
     const std::vector<json> more =
         events_of(hear({"listen-in", "--json"}, folder, whole + "LIST" + bytes_of(4, 4) + "INFO").out);
@@ -333,6 +333,8 @@ TEST(ListenIn, FollowsAFileThatIsBeingWritten) {
     const std::vector<json> events = events_of(read_text(folder / "out.jsonl"));
     ASSERT_FALSE(events.empty());
     EXPECT_EQ(events.back()["why"], "the file was removed");
+    EXPECT_EQ(events.back()["gaps"], 1) << "what else was written nobody knows";
+    EXPECT_EQ(only(events, "gap").size(), 1u);
     ASSERT_EQ(only(events, "take").size(), 1u);
     EXPECT_EQ(only(events, "take")[0]["classify"]["channels"][0]["verdict"], expected);
 }
@@ -406,10 +408,14 @@ TEST(ListenIn, RefusesWhatCannotBeHeard) {
     refused({"listen-in", "--raw", "s16"}, drive(), "s16le");
     refused({"listen-in", "--raw", "s16le", "--rate", "500"}, drive(), "rate of 500 Hz");
     refused(raw_with({"--channel", "2"}), drive(), "channel");
-    refused(raw_with({"--full-scale", "2 Pa", "--full-scale", "3 Pa"}), drive(), "2 full scales for 1 channels");
+    refused(raw_with({"--full-scale", "2 Pa", "--full-scale", "3 Pa"}), drive(), "2 full scales for 1 channel");
     refused(raw_with({"--patience", "0 s"}), drive(), "too short");
     refused({"listen-in", "--raw", "s16le", "--rate", "16000", "--began", "noon"}, drive(), "2026-11-27T15:42:25Z");
-    refused(raw_with({"--about", "sytem=seal"}), drive(), "library add --help");
+    refused(raw_with({"--about", "sytem=seal"}), drive(), "Did you mean \"system\"?");
+    refused(raw_with({"--about", "seal"}), drive(), "FIELD=VALUE is needed");
+    // before the first sample, of which there is none
+    refused({"listen-in", "--set", "certainly=0.6"}, "", "certainty");
+    refused({"listen-in", "--about", "sytem=seal"}, "", "Did you mean \"system\"?");
     refused({"listen-in", "door.wav"}, "", "--follow");
     refused({"listen-in", "--raw", "f32le", "--rate", "16000"},
             std::string("\0\0\xc0\x7f", 4) + std::string(9996, '\0'), "sample 1");

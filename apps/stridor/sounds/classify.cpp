@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -46,13 +47,18 @@ void classify_one(const ClassifyOptions& options) {
     SoundOptions input = options.input;
     input.file = options.files.front();
     const io::SoundReport report = listen_to(input);
+    say_unused(input, judges_of(report));
     console::print(options.json ? io::classify_json(report) + "\n" : console::verdict_text(report));
 }
 
-// a recording that is damaged is a row, too
-ClassifiedRecording row_of(const SoundOptions& input, const std::function<void(double share)>& progress) {
+// a recording that is damaged is a row, too; the judges of one that was heard are added
+ClassifiedRecording row_of(const SoundOptions& input, const std::function<void(double share)>& progress,
+                           Judges& judges) {
     try {
-        return io::classified(input.file, listen_quietly_to(input, progress));
+        const io::SoundReport report = listen_quietly_to(input, progress);
+        const Judges here = judges_of(report);
+        judges = {judges.ear || here.ear, judges.rules || here.rules};
+        return io::classified(input.file, report);
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::interrupted) throw;
         return {input.file, recordings::refusal_reason(input.file, error)};
@@ -73,13 +79,15 @@ std::vector<ClassifiedRecording> rows_of(const recordings::RecordingFiles& found
     for (const recordings::RefusedRecording& refused : found.unreadable)
         rows.push_back({refused.file, refused.reason});
     SoundOptions input = options.input;
+    Judges judges;
     for (const std::filesystem::path& file : found.files) {
         input.file = file.string();
         display.begin(file);
-        rows.push_back(row_of(input, progress));
+        rows.push_back(row_of(input, progress, judges));
         display.end();
     }
     display.clear();
+    if (judges.ear || judges.rules) say_unused(options.input, judges);
     return rows;
 }
 
@@ -102,6 +110,19 @@ void classify_many(const ClassifyOptions& options) {
                                        "their rows say why", "The other rows hold."});
 }
 
+using parameters::SoundJudge;
+
+// the thresholds of these judges, a line each
+std::string threshold_lines(std::initializer_list<SoundJudge> judges) {
+    std::string lines;
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        if (std::find(judges.begin(), judges.end(), threshold.judge) != judges.end())
+            lines += fmt::format("\n  {:<20} {:>6g} {:<5} {}", threshold.name,
+                                 parameters::SoundThresholds{}.*(threshold.member),
+                                 threshold.unit == "1" ? "" : threshold.unit, threshold.sentence);
+    return lines;
+}
+
 }  // namespace
 
 void add_classify(CLI::App& program) {
@@ -118,18 +139,15 @@ void add_classify(CLI::App& program) {
     add_listening_options(*command, options->input);
     add_csv_option(*command, options->csv, "write a row per recording");
     add_json_option(*command, options->json, "stridor.classify/1, of several stridor.classified/1");
-    std::string names;
-    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
-        names +=
-            fmt::format("\n  {:<20} {:>6g} {:<5} {}", threshold.name, parameters::SoundThresholds{}.*(threshold.member),
-                        threshold.unit == "1" ? "" : threshold.unit, threshold.sentence);
     command->footer(
         "Of a folder those files are taken, at any depth, whose names end as recordings do. A recording that cannot be "
         "heard is a row that says why; the exit code is then 2.\n"
         "Examples:\n  stridor classify squeak.wav\n  stridor classify rig.uff --channel 2 --json\n"
-        "  stridor classify door.flac --set squeal_regularity=0.7\n"
-        "  stridor classify monday tuesday/late-*.wav --csv verdicts.csv\n\nThresholds for --set:" +
-        names);
+        "  stridor classify door.flac --set certainty=0.6\n"
+        "  stridor classify monday tuesday/late-*.wav --csv verdicts.csv\n\n"
+        "Thresholds for --set. The ear judges what is heard through air (channels in Pa, and without calibration) by:" +
+        threshold_lines({SoundJudge::ear, SoundJudge::both}) +
+        "\n\nThe rules judge motions and forces by:" + threshold_lines({SoundJudge::rules, SoundJudge::both}));
     command->callback([options] { is_for_one(*options) ? classify_one(*options) : classify_many(*options); });
 }
 

@@ -3,6 +3,7 @@
 #include "arguments.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/library/recording_probe.hpp"
 #include "stridor/noise_library/add_recordings.hpp"
@@ -31,9 +32,16 @@ void set_fact(noise_library::Entry& entry, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string name(base::trimmed(text.substr(0, std::min(equals, text.size()))));
     const noise_library::EntryField* field = noise_library::find_field(name);
-    if (equals == std::string::npos || field == nullptr)
+    if (equals == std::string::npos)
         throw Error(ErrorKind::input, {"\"" + text + "\" says nothing of an entry", "FIELD=VALUE is needed",
                                        "`stridor library add --help` lists the fields."});
+    if (field == nullptr)
+        throw Error(ErrorKind::input,
+                    {"an entry has no field \"" + name + "\"", "a noise library does not know it",
+                     base::did_you_mean(name, noise_library::field_names([](const noise_library::EntryField& each) {
+                                            return each.writer == noise_library::Writer::user;
+                                        }),
+                                        "`stridor library add --help` lists the fields.")});
     noise_library::set_from_text(entry, *field, base::trimmed(text.substr(equals + 1)));
 }
 
@@ -49,14 +57,20 @@ void add_keep_options(CLI::App& command, KeepOptions& options) {
         ->allow_extra_args(false);
 }
 
-ClipKeeper::ClipKeeper(const KeepOptions& options, const io::LiveInput& input, recordings::WavSamples samples,
-                       std::vector<recordings::FullScale> full_scales)
+noise_library::Entry entry_of(const KeepOptions& options) {
+    noise_library::Entry entry;
+    for (const std::string& text : options.about)
+        at_option("--about", text, [&] { set_fact(entry, text); });
+    return entry;
+}
+
+ClipKeeper::ClipKeeper(const KeepOptions& options, noise_library::Entry about, const io::LiveInput& input,
+                       recordings::WavSamples samples, std::vector<recordings::FullScale> full_scales)
     : source_(input.name),
       samples_(samples),
       full_scales_(std::move(full_scales)),
-      folder_(options.folder) {
-    for (const std::string& text : options.about)
-        at_option("--about", text, [&] { set_fact(about_, text); });
+      folder_(options.folder),
+      about_(std::move(about)) {
     if (!options.folder.empty()) storage::make_folder(folder_, "Name another --keep.");
     if (options.library.empty()) return;
     library_.emplace(noise_library::open_library(options.library, noise_library::Access::fill, waiting()));

@@ -29,12 +29,16 @@ struct KeepOptions {
 
 void add_keep_options(CLI::App& command, KeepOptions& options);
 
+/// Returns an entry with the facts that were asked for. Throws `Error` (input) for a fact that no entry has.
+noise_library::Entry entry_of(const KeepOptions& options);
+
 /// Keeps a clip of each noise: in a folder, in a noise library, in both or not at all.
 class ClipKeeper {
 public:
-    /// Makes the folder and opens the library. Throws `Error`: io if that fails, input for facts that no entry has.
-    ClipKeeper(const KeepOptions& options, const io::LiveInput& input, recordings::WavSamples samples,
-               std::vector<recordings::FullScale> full_scales);
+    /// Makes the folder and opens the library; `about` is what each entry begins with. Throws `Error` (io) if that
+    /// fails.
+    ClipKeeper(const KeepOptions& options, noise_library::Entry about, const io::LiveInput& input,
+               recordings::WavSamples samples, std::vector<recordings::FullScale> full_scales);
 
     /// Keeps a clip; `time` [s since 1970] is when its noise began. A failure is told in the answer: the next clip may
     /// find room again.
@@ -51,9 +55,9 @@ private:
     recordings::WavSamples samples_;
     std::vector<recordings::FullScale> full_scales_;
     std::filesystem::path folder_;
+    noise_library::Entry about_;
     std::optional<storage::PrivateFolder> own_folder_{};  // where no other is named
     std::optional<noise_library::Library> library_{};
-    noise_library::Entry about_{};
     std::size_t failures_ = 0;
     std::string first_failure_{};
 };

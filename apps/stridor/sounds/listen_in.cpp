@@ -50,21 +50,39 @@ double now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+// what the options say, read before the input is opened: a slip of the pen is told at once, and not when samples come
+struct Wishes {
+    explicit Wishes(const ListenInOptions& options)
+        : thresholds(thresholds_of(options.thresholds)),
+          patience(seconds_of("--patience", options.patience, 0.1)),
+          longest_take(seconds_of("--longest-take", options.longest_take, 10.0)),
+          about(entry_of(options.keep)) {
+        if (!options.began.empty())
+            began = at_option("--began", options.began, [&] { return io::seconds_of_stamp(options.began); });
+    }
+
+    parameters::SoundThresholds thresholds;
+    double patience;      // [s]
+    double longest_take;  // [s]
+    noise_library::Entry about;
+    std::optional<double> began{};  // [s since 1970]
+};
+
 /// Hears a sound that is not over, and tells what it hears.
 class Watch {
 public:
-    Watch(const ListenInOptions& options, LiveSamples& samples, double begin)
+    Watch(const ListenInOptions& options, const Wishes& wishes, LiveSamples& samples)
         : options_(options),
           samples_(samples),
-          begin_(begin),
-          thresholds_(thresholds_of(options.thresholds)),
-          patience_(seconds_of("--patience", options.patience, 0.1)),
-          keeper_(options.keep, samples.input(), samples.clip_samples(), samples.full_scales()),
-          ear_(samples.input().layout, {thresholds_, seconds_of("--longest-take", options.longest_take, 10.0), 30.0},
+          begin_(wishes.began.value_or(now())),
+          thresholds_(wishes.thresholds),
+          patience_(wishes.patience),
+          keeper_(options.keep, wishes.about, samples.input(), samples.clip_samples(), samples.full_scales()),
+          ear_(samples.input().layout, {thresholds_, wishes.longest_take, 30.0},
                {[this](const hearing::LivePassage& passage) { tell(passage); },
                 [this](const hearing::LiveNoise& noise, signal::Source& clip) { tell(noise, clip); },
                 [this](const hearing::LiveTake& take) { tell(take); }}) {
-        if (options.json) print(io::begin_event(samples.input(), begin));
+        if (options.json) print(io::begin_event(samples.input(), begin_));
     }
 
     /// Hears until the sound is over or a stop is requested, and sums up. Sound that is there already is heard, too.
@@ -162,7 +180,8 @@ private:
         ++sum_.takes;
         const io::SoundReport report = io::report_of(take, samples_.input(), thresholds_);
         if (options_.json) return tell(io::take_event(take, report, begin_));
-        tell(fmt::format("take {}, {:.3f} to {:.3f} s", take.number, take.from, take.to));
+        tell(fmt::format("take {}, {:.3f} to {:.3f} s{}", take.number, take.from, take.to,
+                         take.from > 0.0 ? "; the times below count from its beginning" : ""));
         tell(console::verdict_text(report));
     }
 
@@ -202,15 +221,12 @@ private:
     double guessed_ = 0.0;  // [s] what was heard then
 };
 
-double begin_of(const ListenInOptions& options) {
-    if (options.began.empty()) return now();
-    return at_option("--began", options.began, [&] { return io::seconds_of_stamp(options.began); });
-}
-
 void listen_in(const ListenInOptions& options) {
+    const Wishes wishes(options);
     const Interrupt interrupt;
     LiveSamples samples(options.input, interrupt.token());
-    Watch(options, samples, begin_of(options)).hear(interrupt);
+    say_unused(options.thresholds, judges_of(samples.input().layout.channels));
+    Watch(options, wishes, samples).hear(interrupt);
 }
 
 }  // namespace
@@ -224,8 +240,9 @@ void add_listen_in(CLI::App& program) {
     add_live_input_options(*command, options->input);
     add_keep_options(*command, options->keep);
     command
-        ->add_option("--patience", options->patience,
-                     "without a sample for so long there is a gap, or a growing file is whole (default: 5 s)")
+        ->add_option(
+            "--patience", options->patience,
+            "without a sample for so long there is a gap, or a growing file whose head agrees is whole (default: 5 s)")
         ->type_name("TIME");
     command
         ->add_option("--longest-take", options->longest_take,

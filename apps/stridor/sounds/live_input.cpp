@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/results/text_table.hpp"
 #include "stridor/recordings/bytes.hpp"
 #include "stridor/recordings/live/recorder_words.hpp"
 
@@ -152,7 +153,8 @@ void LiveSamples::describe(const LiveInputOptions& options) {
     input_.layout.rate = form_.rate;
     std::vector<recordings::FullScale> scales = recordings::parse_full_scales(options.full_scales);
     if (scales.size() > 1 && scales.size() != form_.channels)
-        throw Error(ErrorKind::input, {fmt::format("{} full scales for {} channels", scales.size(), form_.channels),
+        throw Error(ErrorKind::input, {fmt::format("{} full scales for {}", scales.size(),
+                                                   console::counted(form_.channels, "channel", "channels")),
                                        "one for all or one for each is needed", ""});
     if (scales.empty())
         scales.push_back(recordings::calibration_in(head_ ? head_->description : "").value_or(recordings::FullScale{}));
@@ -184,8 +186,12 @@ LivePiece LiveSamples::next(std::chrono::milliseconds longest) {
             return {};
         case recordings::Arrival::Kind::lost:
             return {LivePiece::Kind::lost, {}, arrival.seconds, std::move(arrival.words), false};
-        case recordings::Arrival::Kind::end:
-            return ending(std::move(arrival.words));
+        case recordings::Arrival::Kind::end: {
+            LivePiece piece = ending(std::move(arrival.words));
+            // a growing file that is cut, removed or replaced: nobody knows what else was written
+            piece.is_cut = piece.is_cut || is_growing_;
+            return piece;
+        }
         case recordings::Arrival::Kind::bytes:
             break;
     }
@@ -244,7 +250,8 @@ LivePiece LiveSamples::ending(std::string words) {
         piece.words =
             fmt::format("{}: it was cut, {} of {} bytes of samples came", piece.words, taken_ + odd, *head_->promised);
     else if (odd > 0 && !(head_ && head_->promised))
-        piece.words = fmt::format("{}: {} bytes of a frame of {} were left", piece.words, odd, form_.frame_bytes());
+        piece.words = fmt::format("{}, with {} of a frame of {} left over", piece.words,
+                                  console::counted(odd, "byte", "bytes"), form_.frame_bytes());
     else
         return piece;
     piece.is_cut = true;

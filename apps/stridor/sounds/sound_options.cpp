@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/classification/recording_verdict.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace stridor::app {
@@ -85,7 +87,7 @@ recordings::OpenOptions open_options(const InputOptions& options) {
 
 void add_listening_options(CLI::App& command, SoundOptions& options) {
     add_input_options(command, options.recording);
-    command.add_option("--set", options.thresholds, "another threshold: --set squeal_regularity=0.7 (repeatable)")
+    command.add_option("--set", options.thresholds, "another threshold: --set certainty=0.6 (repeatable)")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }
@@ -103,6 +105,36 @@ parameters::SoundThresholds thresholds_of(const SoundOptions& options) {
     for (const std::string& assignment : options.thresholds)
         parameters::set_sound_threshold(thresholds, assignment);
     return thresholds;
+}
+
+Judges judges_of(std::span<const signal::Channel> channels) {
+    Judges judges;
+    for (const signal::Channel& channel : channels)
+        (sound::is_heard_through_air(channel) ? judges.ear : judges.rules) = true;
+    return judges;
+}
+
+Judges judges_of(const io::SoundReport& report) {
+    Judges judges;
+    for (const classification::RecordingVerdict& verdict : report.verdicts)
+        (verdict.passages.empty() ? judges.rules : judges.ear) = true;
+    return judges;
+}
+
+void say_unused(const SoundOptions& options, Judges judges) {
+    using parameters::SoundJudge;
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds()) {
+        const bool is_used =
+            threshold.judge == SoundJudge::both || (threshold.judge == SoundJudge::ear ? judges.ear : judges.rules);
+        const bool is_set = std::any_of(options.thresholds.begin(), options.thresholds.end(), [&](const auto& text) {
+            return base::trimmed(std::string_view(text).substr(0, text.find('='))) == threshold.name;
+        });
+        if (is_set && !is_used)
+            console::say(fmt::format("stridor: note: {} changes nothing here: {}", threshold.name,
+                                     threshold.judge == SoundJudge::ear
+                                         ? "the ear asks for it, and motions and forces are judged by rules"
+                                         : "the rules ask for it, and what comes through air is judged by the ear"));
+    }
 }
 
 io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ recordings::OpenOptions open_options(const InputOptions& options);
 struct SoundOptions {
     std::string file;  // "-" is stdin
     InputOptions recording;
-    std::vector<std::string> thresholds;  // "squeal_regularity=0.7"
+    std::vector<std::string> thresholds;  // "certainty=0.6"
 };
 
 /// Adds --full-scale, --channel, --dataset, --rate and --set.
@@ -47,6 +48,19 @@ void add_sound_options(CLI::App& command, SoundOptions& options);
 
 /// Returns the thresholds by ear. Throws `Error` (input) for an unknown name or a value that does not fit.
 parameters::SoundThresholds thresholds_of(const SoundOptions& options);
+
+/// Who judges channels: the ear what is heard through air, the rules motions and forces.
+struct Judges {
+    bool ear = false;
+    bool rules = false;
+};
+
+/// Returns the judges of channels that will be heard, or those of a recording that was.
+Judges judges_of(std::span<const signal::Channel> channels);
+Judges judges_of(const io::SoundReport& report);
+
+/// Says of each threshold that was set, and that none of the judges asks for, that it changes nothing.
+void say_unused(const SoundOptions& options, Judges judges);
 
 /// Reads, analyses and judges the recording of the options; says notes and progress on stderr. If `field` is given, the
 /// channels in Pa get their sound quality, heard in that field.

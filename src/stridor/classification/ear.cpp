@@ -99,22 +99,22 @@ double sounding(const Passage& p) {
 }
 
 constexpr std::array<EarFigure, ear_figure_count> figure_table{
-    EarFigure{"tone_presence", "1", "tones hold most of the power", presence},
-    EarFigure{"tone_length", "octave", "tones last", tone_length},
-    EarFigure{"tone_wander", "octave", "the pitch moves or jumps", wander},
-    EarFigure{"comb", "octave", "lines lie close together, as those of voices and engines", comb},
-    EarFigure{"centre", "octave", "the power lies high", centre},
-    EarFigure{"spread", "octave", "the power spreads over frequency", spread},
-    EarFigure{"lone_fundamental", "octave", "a tone that is in no row repeats at a high frequency", lone_fundamental},
-    EarFigure{"lone_impulses", "octave", "impulses stand out that are in no row", lone_impulses},
-    EarFigure{"onset_rate", "octave", "many onsets", onset_rate},
-    EarFigure{"train", "1", "onsets follow each other at like intervals", train},
-    EarFigure{"jerks", "1", "the level jumps up and falls off, again and again", jerks},
-    EarFigure{"joint_jerks", "1", "and so do low and high octaves at once", joint_jerks},
-    EarFigure{"beat", "dB", "the level beats", beat},
-    EarFigure{"lone_rhythm", "dB", "one pace stands out that is that of no row", lone_rhythm},
-    EarFigure{"level_spread", "dB", "the level changes over time", level_spread},
-    EarFigure{"sounding", "1", "it sounds all the time", sounding},
+    EarFigure{"tone_presence", "1", presence},
+    EarFigure{"tone_length", "octave", tone_length},
+    EarFigure{"tone_wander", "octave", wander},
+    EarFigure{"comb", "octave", comb},
+    EarFigure{"centre", "octave", centre},
+    EarFigure{"spread", "octave", spread},
+    EarFigure{"lone_fundamental", "octave", lone_fundamental},
+    EarFigure{"lone_impulses", "octave", lone_impulses},
+    EarFigure{"onset_rate", "octave", onset_rate},
+    EarFigure{"train", "1", train},
+    EarFigure{"jerks", "1", jerks},
+    EarFigure{"joint_jerks", "1", joint_jerks},
+    EarFigure{"beat", "dB", beat},
+    EarFigure{"lone_rhythm", "dB", lone_rhythm},
+    EarFigure{"level_spread", "dB", level_spread},
+    EarFigure{"sounding", "1", sounding},
 };
 
 double sum_of(std::span<const double> values) {
@@ -154,6 +154,7 @@ EarVerdict hear(const Passage& passage) {
         const bool is_rival = category_of(static_cast<EarOutcome>(h)) != category_of(verdict.heard);
         if (is_rival && (second == probabilities.size() || probabilities[h] > probabilities[second])) second = h;
     }
+    verdict.rival = static_cast<EarOutcome>(second);
     for (std::size_t k = 0; k < ear_figure_count; ++k)
         verdict.reasons[k] = deviations[k] * (ear_weights[first][k] - ear_weights[second][k]);
     return verdict;

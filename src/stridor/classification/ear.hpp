@@ -26,9 +26,8 @@ constexpr Category category_of(EarOutcome heard) {
 
 /// A figure of a passage by which the ear judges, as it enters the sum. docs/methods/ear.md has the formulas.
 struct EarFigure {
-    std::string_view name;      // "onset_rate"
-    std::string_view unit;      // of the value that enters: "octave", "dB", "1"
-    std::string_view sentence;  // what a great value means
+    std::string_view name;  // "onset_rate"
+    std::string_view unit;  // of the value that enters: "octave", "dB", "1"
     double (*value)(const sound::Passage&);
 };
 
@@ -44,7 +43,8 @@ struct EarVerdict {
     std::array<double, heard_names.size()> probabilities{};  // [1] by `EarOutcome`, of sum 1
     EarValues values{};                                      // in the order of `ear_figures`
     EarOutcome heard = EarOutcome::other;                    // the most probable
-    EarValues reasons{};  // [1] share of each figure in the logarithm of its odds against the next category
+    EarOutcome rival = EarOutcome::squeak;                   // the most probable one of another category
+    EarValues reasons{};  // [1] share of each figure in the logarithm of the odds of the one against the other
 };
 
 /// Returns the ear's verdict by multinomial logistic regression (Bishop 2006, section 4.3.4): the probability of h is

@@ -42,7 +42,11 @@ std::array<double, category_names.size()> by_category(const EarVerdict& heard) {
     return probabilities;
 }
 
-// "squeal: tones last (+1.2), tones hold most of the power (+0.8)"
+std::string_view name_of(EarOutcome heard) {
+    return heard_names[static_cast<std::size_t>(heard)];
+}
+
+// "tone_length 5.52 (+2.2), beat 0.24 (+1.2)"
 std::string reason_of(const EarVerdict& heard) {
     std::array<std::size_t, ear_figure_count> places{};
     std::iota(places.begin(), places.end(), std::size_t{0});
@@ -116,11 +120,11 @@ void append(std::vector<SoundSegment>& segments, const SoundStretch& stretch, Ca
     segment.mean_square = (segment.mean_square * before + sound::energy(f)) / (before + f.duration);
     if (!is_louder) return;
     segment.verdict.features = f;
-    segment.verdict.reasons = {
-        category == heard.category
-            ? fmt::format("{} with {:.0f} %: {}", heard_names[static_cast<std::size_t>(heard.ear.heard)],
-                          100.0 * by_category(heard.ear)[place_of(category)], reason_of(heard.ear))
-            : std::string("a pause of the noise")};
+    segment.verdict.reasons = {category == heard.category
+                                   ? fmt::format("{} with {:.0f} %, against {}: {}", name_of(heard.ear.heard),
+                                                 100.0 * by_category(heard.ear)[place_of(category)],
+                                                 name_of(heard.ear.rival), reason_of(heard.ear))
+                                   : std::string("a pause of the noise")};
 }
 
 std::vector<SoundSegment> segments_of(std::span<const SoundStretch> stretches, std::span<const Passage> passages,
@@ -242,6 +246,8 @@ RecordingVerdict classify_passages(std::span<const SoundStretch> stretches, std:
     if (!(whole > 0.0)) {
         verdict.category = Category::none;
         verdict.reasons.emplace_back("there is nothing to hear");
+        for (SoundSegment& segment : verdict.segments)
+            segment.verdict.reasons.clear();
         return verdict;
     }
     for (double& share : verdict.shares)

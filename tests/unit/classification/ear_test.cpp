@@ -111,6 +111,7 @@ TEST(Ear, GivesProbabilitiesAndReasonsThatAddUp) {
         for (std::size_t h = 0; h < p.size(); ++h)
             if (category_of(static_cast<EarOutcome>(h)) != category_of(verdict.heard)) rival = std::max(rival, p[h]);
         const double odds = std::log(p[static_cast<std::size_t>(verdict.heard)] / rival);
+        EXPECT_EQ(p[static_cast<std::size_t>(verdict.rival)], rival);
         EXPECT_LT(std::abs(std::accumulate(verdict.reasons.begin(), verdict.reasons.end(), 0.0) - odds), 3.0);
     }
 }

@@ -226,6 +226,8 @@ TEST(RecordingVerdict, OfSilenceIsNone) {
     const RecordingVerdict verdict = verdict_on(analysed({support::sampled(1.0, [](double) { return 0.0; })}), {});
     EXPECT_EQ(verdict.category, Category::none);
     EXPECT_EQ(verdict.reasons.front(), "there is nothing to hear");
+    for (const SoundSegment& segment : verdict.segments)
+        EXPECT_TRUE(segment.verdict.reasons.empty());
 }
 
 }  // namespace

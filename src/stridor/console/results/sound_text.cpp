@@ -41,7 +41,7 @@ std::string explanations(const RecordingVerdict& verdict) {
             if (static_cast<std::size_t>(segment.verdict.category) == k &&
                 (loudest == nullptr || segment.mean_square > loudest->mean_square))
                 loudest = &segment;
-        if (loudest != nullptr) text += segment_reasons(*loudest);
+        if (loudest != nullptr && !loudest->verdict.reasons.empty()) text += segment_reasons(*loudest);
     }
     return text;
 }
@@ -170,7 +170,7 @@ std::string segment_table(const sound::SoundAnalysis& analysis, const classifica
                                    fmt::format("{:.3f}", f.regularity), fmt::format("{:.1f} %", 100.0 * f.movement),
                                    fmt::format("{:.2f}", f.rest), fmt::format("{:.1f}", f.kurtosis)});
         else
-            row.push_back("  silence");
+            row.push_back("  nothing stands out of the background");
     }
     return text_of(table);
 }
@@ -192,10 +192,38 @@ std::string verdict_text(const io::SoundReport& report) {
     return text;
 }
 
+namespace {
+
+using CategoryCounts = std::array<std::size_t, classification::category_names.size()>;
+
+// " creak 2 none 1"
+std::string counts_text(const CategoryCounts& counts) {
+    std::string text;
+    for (std::size_t k = 0; k < counts.size(); ++k)
+        if (counts[k] > 0) text += fmt::format(" {} {}", classification::category_names[k], counts[k]);
+    return text;
+}
+
+// a line for each note, and what it is of
+std::string notes_text(std::span<const io::ClassifiedRecording> rows) {
+    std::map<std::string, std::vector<std::string>> files;
+    for (const io::ClassifiedRecording& row : rows)
+        for (const std::string& note : row.notes)
+            files[note].push_back(row.file);
+    std::string text;
+    for (const auto& [note, of] : files)
+        text += fmt::format("note, {}: {}\n",
+                            of.size() == 1 ? of.front() : counted(of.size(), "recording", "recordings"), note);
+    return text;
+}
+
+}  // namespace
+
 std::string classified_text(std::span<const io::ClassifiedRecording> rows) {
     TextTable table{
         {left("file"), left("category"), right("probability"), right("level"), right("duration"), left("reason")}};
-    std::array<std::size_t, classification::category_names.size()> counts{};
+    CategoryCounts counts{};
+    CategoryCounts others{};  // of channels that differ
     std::size_t refused = 0;
     for (const io::ClassifiedRecording& row : rows) {
         if (!row.refusal.empty()) {
@@ -204,6 +232,8 @@ std::string classified_text(std::span<const io::ClassifiedRecording> rows) {
             continue;
         }
         ++counts[static_cast<std::size_t>(row.category)];
+        for (const io::DifferingChannel& other : row.others)
+            ++others[static_cast<std::size_t>(other.category)];
         const bool is_noisy = row.category != classification::Category::none;
         add_row(table, row.file,
                 styled(classification::name(row.category), is_noisy ? Style::bold : Style::plain, STDOUT_FILENO),
@@ -212,10 +242,10 @@ std::string classified_text(std::span<const io::ClassifiedRecording> rows) {
                 fmt::format("{}", fmt::join(row.reasons, "; ")));
     }
     std::string text = text_of(table) + "\n" + counted(rows.size(), "recording", "recordings") + ":";
-    for (std::size_t k = 0; k < counts.size(); ++k)
-        if (counts[k] > 0) text += fmt::format(" {} {}", classification::category_names[k], counts[k]);
+    text += counts_text(counts);
     if (refused > 0) text += fmt::format(" not heard {}", refused);
-    return text + "\n";
+    if (const std::string told = counts_text(others); !told.empty()) text += "; further channels differ:" + told;
+    return text + "\n" + notes_text(rows);
 }
 
 std::string analysis_text(const io::SoundReport& report, Weighting weighting) {

@@ -31,7 +31,13 @@ Json row_object(const ClassifiedRecording& row) {
     object["level"] = row.level;
     object["level_unit"] = row.level_unit;
     object["dominant_frequency"] = row.frequency;
+    object["other_channels"] = json_parts::array_of(row.others, [](const DifferingChannel& other) {
+        Json each{{"channel", other.channel}, {"category", classification::name(other.category)}};
+        if (other.probability > 0.0) each["probability"] = other.probability;
+        return each;
+    });
     object["reasons"] = row.reasons;
+    object["notes"] = row.notes;
     return object;
 }
 
@@ -46,10 +52,22 @@ std::vector<base::csv_text::TableColumn> classified_columns() {
                                      {"level", "dB"},
                                      {"level_unit", ""},
                                      {"dominant_frequency", "Hz"},
+                                     {"other_channels", ""},
                                      {"reason", ""},
+                                     {"note", ""},
                                      {"error", ""}})
         columns.push_back({name, unit});
     return columns;
+}
+
+// "2 creak 0.89; 3 squeak 0.71"
+std::string others_text(const ClassifiedRecording& row) {
+    std::string text;
+    for (const DifferingChannel& other : row.others) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", other.channel, classification::name(other.category));
+        if (other.probability > 0.0) text += fmt::format(" {:.2f}", other.probability);
+    }
+    return text;
 }
 
 }  // namespace
@@ -89,7 +107,11 @@ ClassifiedRecording classified(const std::string& file, const SoundReport& repor
     row.level = signal::level_of(analysis.mean_square, signal::reference_of(analysis.unit));
     row.level_unit = signal::level_unit(analysis.unit);
     row.frequency = loudest == nullptr ? std::numeric_limits<double>::quiet_NaN() : loudest->verdict.features.frequency;
+    row.notes = report.notes;
     row.reasons = verdict.reasons;
+    for (std::size_t k = 0; k < report.verdicts.size(); ++k)
+        if (report.verdicts[k].category != verdict.category)
+            row.others.push_back({k + 1, report.verdicts[k].category, report.verdicts[k].probability});
     for (std::string& sentence : differing_channels(report))
         row.reasons.push_back(std::move(sentence));
     return row;
@@ -128,7 +150,9 @@ std::string classified_csv(std::span<const ClassifiedRecording> rows, const para
         number(row.level);
         table.word(row.level_unit);
         number(row.frequency);
+        table.word(others_text(row));
         table.word(fmt::format("{}", fmt::join(row.reasons, "; ")));
+        table.word(fmt::format("{}", fmt::join(row.notes, "; ")));
         table.word(row.refusal);
         table.end_row();
     }

@@ -13,6 +13,13 @@
 /// Many recordings by ear, a row each.
 namespace stridor::io {
 
+/// What a channel is that is heard as another category than the one the verdict rests on.
+struct DifferingChannel {
+    std::size_t channel = 0;  // [1] from 1
+    classification::Category category = classification::Category::undecided;
+    double probability = 0.0;  // [1] by the ear; 0: by rules
+};
+
 /// A recording in a row of many: the verdict on it, or why nothing could be heard.
 struct ClassifiedRecording {
     std::string file;
@@ -27,7 +34,9 @@ struct ClassifiedRecording {
     double level = 0.0;                                                  // [level_unit] of the channel, mean
     std::string level_unit{};                                            // "dB re 20 uPa"
     double frequency = 0.0;  // [Hz] dominant, of the category's loudest segment; NaN if there is none
+    std::vector<DifferingChannel> others{};
     std::vector<std::string> reasons{};
+    std::vector<std::string> notes{};  // how it was read, where that is not as usual
 };
 
 /// Returns a sentence for each channel that is heard as another category than the one the verdict rests on: "channel 2

@@ -67,6 +67,8 @@ Json passage_object(const classification::HeardPassage& passage) {
             {"category", classification::name(passage.category)},
             {"energy", passage.energy},
             {"probabilities", json_parts::named(classification::heard_names, passage.ear.probabilities)},
+            {"heard", classification::heard_names[static_cast<std::size_t>(passage.ear.heard)]},
+            {"against", classification::heard_names[static_cast<std::size_t>(passage.ear.rival)]},
             {"figures", std::move(figures)},
             {"reasons", std::move(reasons)}};
 }

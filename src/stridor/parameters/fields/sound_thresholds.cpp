@@ -21,7 +21,7 @@ constexpr std::array threshold_table{
     SoundThreshold{"least_clearness", "dB", "sound over background from which there is anything to judge", level_range,
                    &SoundThresholds::least_clearness},
     SoundThreshold{"quiet_depth", "dB", "what lies this far below the loudest stretch is background", level_range,
-                   &SoundThresholds::quiet_depth},
+                   &SoundThresholds::quiet_depth, SoundJudge::both},
     SoundThreshold{"decay", "dB/s", "fall of the level from which a sound dies away by itself", not_negative_range,
                    &SoundThresholds::decay},
     SoundThreshold{"decay_straightness", "1", "largest deviation from a straight fall, as a share of the fall",
@@ -52,13 +52,13 @@ constexpr std::array threshold_table{
     SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative_range,
                    &SoundThresholds::least_duration},
     SoundThreshold{"least_band", "Hz", "half the rate of a recording, below which nothing but a squeal can be told",
-                   not_negative_range, &SoundThresholds::least_band},
+                   not_negative_range, &SoundThresholds::least_band, SoundJudge::both},
     SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share_range,
                    &SoundThresholds::majority},
     SoundThreshold{"least_share", "1", "share of a recording's energy from which a noise names it", share_range,
-                   &SoundThresholds::least_share},
+                   &SoundThresholds::least_share, SoundJudge::ear},
     SoundThreshold{"certainty", "1", "probability from which the ear decides on a recording", share_range,
-                   &SoundThresholds::certainty},
+                   &SoundThresholds::certainty, SoundJudge::ear},
 };
 
 // decibels have no dimension that `parse_quantity` knows: their unit is cut off first
@@ -95,10 +95,9 @@ void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignmen
     const base::Place place{"--set", 0, 0, std::string(assignment)};
     const auto sign = assignment.find('=');
     if (sign == std::string_view::npos)
-        throw Error(
-            ErrorKind::input,
-            {"\"" + std::string(assignment) + "\" sets nothing", "it has no =", "Write --set squeal_regularity=0.7"},
-            place);
+        throw Error(ErrorKind::input,
+                    {"\"" + std::string(assignment) + "\" sets nothing", "it has no =", "Write --set certainty=0.6"},
+                    place);
     const std::string_view key = base::trimmed(assignment.substr(0, sign));
     const SoundThreshold* found = base::find_named(threshold_table, key);
     if (found == nullptr) refuse_key(key);

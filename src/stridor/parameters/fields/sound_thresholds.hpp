@@ -2,6 +2,7 @@
 
 #include "stridor/parameters/fields/field.hpp"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,10 @@ struct SoundThresholds {
     double certainty = 0.35;            // [1] probability from which a recording by the ear is decided
 };
 
+/// Who asks for a threshold: the rules, which judge motions and forces, or the ear, which judges what is heard through
+/// air.
+enum class SoundJudge : std::uint8_t { rules, ear, both };
+
 /// One threshold of the table, as `Field` is one parameter of a case.
 struct SoundThreshold {
     std::string_view name;      // "squeal_regularity"
@@ -40,6 +45,7 @@ struct SoundThreshold {
     std::string_view sentence;  // what it is, one line
     Range range;
     double SoundThresholds::*member;
+    SoundJudge judge = SoundJudge::rules;
 };
 
 /// Returns all thresholds by sound, in the order the rules look at them.
