@@ -29,7 +29,7 @@ void check(const CheckOptions& options) {
     if (parameters::engine_of(c) != parameters::Engine::exact && c.run.step > cost.step_limit)
         throw integration::beyond_step_limit(c);
     if (options.json) {
-        console::print(io::case_json(c) + "\n");
+        console::print(io::check_json(c) + "\n");
         return;
     }
     console::print(console::case_text(c, cost));

@@ -1,5 +1,6 @@
 // The program as a new user meets it: its help, its names, and what it answers to slips of the keyboard.
 
+#include "support/json_of.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -10,9 +11,12 @@
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::Launch;
 using stridor::support::read_text;
 using stridor::support::run;
@@ -279,6 +283,39 @@ TEST(Usage, APictureOrTableOfAnotherEndingIsToldAtOnce) {
         std::vector<std::string> command = commands[writes_table];
         command.insert(command.end(), {"--csv", "table.txt"});
         expect_answer(command, "--csv table.txt has an ending that says nothing");
+    }
+}
+
+TEST(Usage, EveryDocumentSaysWhereItIsFrom) {
+    const ScratchFolder folder;
+    const auto done = [&](std::vector<std::string> command) {
+        const Finished finished = run(command, folder.path());
+        EXPECT_EQ(finished.exit_code, 0) << words(command) << finished.err;
+        return finished.out;
+    };
+    done({"init", "squeal", "-o", "c.toml"});
+    done({"init", "noise-chart", "-o", "pair.toml"});
+    const std::string chart = done({"chart", "pair.toml", "--out", "d", "--set", "chart.x.points=2", "--set",
+                                    "chart.y.points=1", "--set", "run.duration=0.1", "--json"});
+    const std::vector<std::pair<std::string, std::string>> documents{
+        {"chart", chart},
+        {"chart-status", done({"chart-status", "d", "--json"})},
+        {"check", done({"check", "c.toml", "--json"})},
+        {"simulation", done({"simulate", "c.toml", "--json"})},
+        {"stability", done({"stability", "c.toml", "--json"})},
+        {"following", done({"follow", "c.toml", "--over", "preload=10:30:2", "--json"})},
+        {"strokes", done({"strokes", "c.toml", "--strokes", "2", "--duration", "1 s", "--thermal-resistance", "2 K/W",
+                          "--thermal-time", "90 s", "--json"})},
+    };
+    for (const auto& [name, text] : documents) {
+        const json document = json_of(text);
+        EXPECT_EQ(document["schema"], "stridor." + name + "/1");
+        EXPECT_TRUE(document["version"].is_string()) << name;
+        EXPECT_TRUE(document["commit"].is_string()) << name;
+        const json& c = name == "check" ? document : document["case"];
+        if (name != "chart-status") {
+            EXPECT_TRUE(c["run"]["engine"].is_string()) << name;
+        }
     }
 }
 

@@ -206,13 +206,12 @@ std::string lacking_text(const sweep::ChartState& state, std::size_t count) {
 }
 
 std::string status_json(const sweep::Study& study, const sweep::ChartState& state) {
-    const Json document{
-        {"schema", "stridor.chart-status/1"},
-        {"refined", study.refine != 0},
-        {"complete", state.is_merged},
-        {"cells", {{"done", state.done}, {"known", state.total}}},
-        {"chart", store_object(state.chart)},
-        {"shares", json_parts::array_of(state.shares, [](const auto& each) { return store_object(each); })}};
+    Json document = json_parts::opening("chart-status");
+    document["refined"] = study.refine != 0;
+    document["complete"] = state.is_merged;
+    document["cells"] = {{"done", state.done}, {"known", state.total}};
+    document["chart"] = store_object(state.chart);
+    document["shares"] = json_parts::array_of(state.shares, [](const auto& each) { return store_object(each); });
     return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -41,7 +41,7 @@ std::string following_csv(const sweep::Following& following) {
 }
 
 std::string following_json(const sweep::Following& following) {
-    Json document = opening("following");
+    Json document = opening("following", following.base);
     document["title"] = base::text_or_null(following.base.title);
     document["over"] = {{"parameter", following.over.key},
                         {"unit", parameters::unit_of(following.over.key)},

@@ -352,6 +352,12 @@ std::string case_json(const parameters::Case& c) {
     return base::text_of(case_object(c));
 }
 
+std::string check_json(const parameters::Case& c) {
+    Json document = opening("check");
+    document.update(case_object(c));
+    return base::text_of(document);
+}
+
 std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
                             std::span<const classification::Verdict> verdicts) {
     Json document = opening("simulation", c);

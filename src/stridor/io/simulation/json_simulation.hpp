@@ -20,6 +20,9 @@ namespace stridor::io {
 /// only keys that belong to it.
 std::string case_json(const parameters::Case& c);
 
+/// Returns "stridor.check/1": where it comes from, and the case itself, its sections at the top.
+std::string check_json(const parameters::Case& c);
+
 /// Returns "stridor.simulation/1": case, engine, outcome, energy balance and a verdict per phase.
 ///
 /// `verdicts` is empty for a run that has no result; the outcome then says why.

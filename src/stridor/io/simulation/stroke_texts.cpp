@@ -85,7 +85,7 @@ std::string strokes_csv(const StrokeHistory& history) {
 }
 
 std::string strokes_json(const StrokeHistory& history) {
-    Json document = opening("strokes");
+    Json document = opening("strokes", history.base);
     document["title"] = base::text_or_null(history.base.title);
     document["plan"] = plan_object(history.plan);
     document["stretches"] = stretches_object(history);
