@@ -25,7 +25,7 @@ class Axis(NamedTuple):
     start: Union[float, str]
     """[the quantity's unit], or text with a unit."""
     stop: Union[float, str]
-    """Likewise."""
+    """[the quantity's unit], or text with a unit."""
     points: int = 40
     """[1] Number of values, both ends included."""
     scale: Optional[str] = None

@@ -51,7 +51,7 @@ class StabilityDirection:
     values, growths, frequencies : numpy.ndarray
         Along the quantity that was followed [its unit], [1/s], [Hz]; empty without one.
     kinds : list of str
-        Likewise.
+        Their kinds, in the order of `growths`.
     boundaries : list of float
         Where the kind changes [the quantity's unit].
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What all CSV texts share. Private to this folder.
+// What all CSV texts share.
 //
 // Line 1 begins with # and says what the table is: "# schema: stridor.trace/1 | version: 0.1.0 | ...".
 // Line 2 holds the names with their units: "gap [m]". The numbers begin in line 3 of every table. So one plain call

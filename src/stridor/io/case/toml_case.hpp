@@ -14,8 +14,8 @@
 
 namespace stridor::io {
 
-/// Gives the motion of a sampled drive by the path of its file. Whoever reads for somebody who may name no files hands
-/// over one that opens none.
+/// Gives the motion of a sampled drive by the path of its file. A reader for users who may name no files is one that
+/// opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
 /// Gives a table of friction by the path of its file.

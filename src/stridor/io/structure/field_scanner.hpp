@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-// Fields of a line of numbers with any separators. Private to this folder.
+// Fields of a line of numbers with any separators.
 namespace stridor::io::structure {
 
 /// A file of matrices or labels: its bytes, and its name in messages.

@@ -13,7 +13,7 @@
 
 namespace stridor::io::structure {
 
-// Node sets as a file names them, one node after the other. Private to this folder.
+// Node sets as a file names them, one node after the other.
 
 /// Collects the node sets of one file in the order of their first mention. Their total size is bounded: a line of a
 /// deck can ask for two million nodes.

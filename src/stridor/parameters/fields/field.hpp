@@ -132,7 +132,7 @@ Range range_of(CaseView at, const Field& field);
 /// Throws `Error` (input) without a place for a value that a quantity may not be.
 void expect_in_range(CaseView at, const Field& field, double value);
 
-/// Says whether it is a choice that came later, and the first. Then what is kept of a case leaves it out.
+/// Says whether a field is a choice that was added later and has its first value: stored cases leave it out.
 bool goes_without_saying(CaseView at, const Field& field);
 
 /// Sets a quantity, in its unit. With the temperature it sets what follows it by table, and with any of these the

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which variables of a MAT file are the channels of a recording. Private to this folder.
+// Which variables of a MAT file are the channels of a recording.
 
 #include "stridor/recordings/mat/mat_answers.hpp"
 #include "stridor/signal/source.hpp"

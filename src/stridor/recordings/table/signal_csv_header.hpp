@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines above the numbers of a table of signals. Private to this folder.
+// The lines above the numbers of a table of signals.
 
 #include "stridor/base/error.hpp"
 #include "stridor/recordings/line_reader.hpp"
