@@ -28,6 +28,9 @@ SineCosine sine_cosine_of_degrees(double degrees);
 /// below 1e-15.
 double logarithm_2(double x);
 
+inline constexpr double log2_of_e = 1.4426950408889634;
+inline constexpr double log2_of_ten = 3.321928094887362;
+
 /// Returns 2 to the power x for |x| < 1000, with the same bits on every machine; relative error below 1e-15.
 double power_of_2(double x);
 

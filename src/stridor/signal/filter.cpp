@@ -51,7 +51,6 @@ double ideal_tap(double cutoff, double n) {
 }
 
 constexpr std::size_t samples_per_power = 24;  // [1] 48 kHz to 2 kHz
-constexpr double log2_of_e = 1.4426950408889634;
 
 /// What a band's sections differ by from a1 = -2 and a2 = 1, and the gain: ISO 532-1:2017, table A.2.
 struct BandCoefficients {
@@ -93,8 +92,7 @@ constexpr std::array<BandCoefficients, third_octave_count> coefficients{{
 
 // 10^((band - 16) / 10) kHz
 double centre(std::size_t band) {
-    constexpr double log2_of_ten = 3.321928094887362;
-    return 1000.0 * base::power_of_2(log2_of_ten * (static_cast<double>(band) - 16.0) / 10.0);
+    return 1000.0 * base::power_of_2(base::log2_of_ten * (static_cast<double>(band) - 16.0) / 10.0);
 }
 
 }  // namespace
@@ -163,7 +161,7 @@ ThirdOctaveFilters::ThirdOctaveFilters() {
             sections_[k].a2[band] = 1.0 - coefficients[band].a2[k];
         }
         const double time_constant = 2.0 / (3.0 * std::min(centre(band), 1000.0));  // [s]
-        share_[band] = 1.0 - base::power_of_2(-log2_of_e / (third_octave_rate * time_constant));
+        share_[band] = 1.0 - base::power_of_2(-base::log2_of_e / (third_octave_rate * time_constant));
     }
 }
 

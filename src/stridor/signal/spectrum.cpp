@@ -16,14 +16,13 @@ namespace stridor::signal {
 
 namespace {
 
-constexpr double log2_of_ten = 3.321928094887362;
 constexpr std::array<double, 10> nominal_of_decade{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
 constexpr int first_third = 11;  // 12.5 Hz = 10^(11/10)
 constexpr int last_third = 50;   // 100 kHz
 
 // 10^(tenths / 10)
 double power_of_ten(double tenths) {
-    return base::power_of_2(log2_of_ten * tenths / 10.0);
+    return base::power_of_2(base::log2_of_ten * tenths / 10.0);
 }
 
 double nominal(int third) {

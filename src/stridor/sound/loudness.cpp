@@ -15,19 +15,17 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr double log2_of_ten = 3.321928094887362;
-constexpr double log2_of_e = 1.4426950408889634;
 constexpr std::size_t critical_bands = 20;  // critical bands
 constexpr std::size_t low_bands = 11;       // third octaves up to 250 Hz
 
 // 10^(decibels / 10)
 double power_of(double decibels) {
-    return base::power_of_2(log2_of_ten * decibels / 10.0);
+    return base::power_of_2(base::log2_of_ten * decibels / 10.0);
 }
 
 // e^x
 double exponential(double x) {
-    return base::power_of_2(log2_of_e * x);
+    return base::power_of_2(base::log2_of_e * x);
 }
 
 // --- tables; ISO 532-1:2017
