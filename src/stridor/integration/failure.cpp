@@ -30,9 +30,9 @@ namespace {
 
 constexpr std::size_t most_named = 12;  // contacts in one sentence
 
-// what each contact did where the motion ended: "; lip1 sticks, lip2 is open"
+// what each contact did where the motion ended: "; lip1 sticks, lip2 is separated"
 std::string last_set(const parameters::Case& c, const Motion& motion) {
-    constexpr std::array<std::string_view, model::contact_states> does{"slips", "sticks", "is open"};
+    constexpr std::array<std::string_view, model::contact_states> does{"slips", "sticks", "is separated"};
     const bool has_names = parameters::has_named_contacts(c);
     std::string text;
     for (std::size_t k = 0; k < std::min(most_named, motion.last_set.size()); ++k)

@@ -54,7 +54,7 @@ std::optional<base::Problem> unlawful(const StartingContact& contact) {
                              "Give it a gap or a velocity that opens it."};
     if (state == ContactStart::separation)
         return base::Problem{
-            who + " is said to begin in contact, and is open",
+            who + " is said to begin in contact, and is separated",
             "its gap is " + shortest(contact.gap) + " m, opening at " + shortest(contact.rate) + " m/s",
             "Close the gap, or let the state follow from the motion."};
     if (contact.state == ContactStart::stick)

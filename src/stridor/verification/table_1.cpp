@@ -98,9 +98,9 @@ std::vector<Check> natural_frequency_checks() {
     add("slip, mu = 0, first [Hz]", ContactState::slip, 0, slip_frequencies[0]);
     add("slip, mu = 0, second [Hz]", ContactState::slip, 1, slip_frequencies[1]);
     add("stick [Hz]", ContactState::stick, 0, stick_frequencies[0]);
-    add("open, plate [Hz]", ContactState::separation, 0, open_frequencies[0]);
-    add("open, joint flexural [Hz]", ContactState::separation, 1, open_frequencies[1]);
-    add("open, joint axial [Hz]", ContactState::separation, 2, open_frequencies[2]);
+    add("separation, plate [Hz]", ContactState::separation, 0, open_frequencies[0]);
+    add("separation, joint flexural [Hz]", ContactState::separation, 1, open_frequencies[1]);
+    add("separation, joint axial [Hz]", ContactState::separation, 2, open_frequencies[2]);
     return checks;
 }
 

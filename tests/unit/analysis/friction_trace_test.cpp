@@ -234,7 +234,7 @@ TEST(FrictionTrace, OfAnOpenContactIsNotSaidToHaveNoForce) {
         friction_trace({1000.0, force, {}, open, 10.0});
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.problem().what, "the contact is open all the time");
+        EXPECT_EQ(error.problem().what, "the contact is separated all the time");
     }
 }
 

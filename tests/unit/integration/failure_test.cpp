@@ -58,15 +58,16 @@ TEST(Failure, SaysWhatEachContactDidWhereNoForcesObeyTheLaws) {
     c.own_structure = own;
     motion.last_set = {model::ContactState::stick, model::ContactState::separation};
     EXPECT_EQ(failure(c, motion)->problem().what,
-              "no forces obey all laws of contact at 0.25 s of 1 s; a sticks, b is open");
+              "no forces obey all laws of contact at 0.25 s of 1 s; a sticks, b is separated");
     motion.pressed = {0, 2};
     EXPECT_EQ(failure(c, motion)->problem().why,
               "friction presses a and c together without end: a Painleve configuration");
     motion.outcome.reason = Reason::chattering;
     motion.last_set.resize(14, model::ContactState::slip);
-    EXPECT_EQ(failure(c, motion)->problem().what,
-              "events pile up without end at 0.25 s of 1 s; a sticks, b is open, c slips, d slips, e slips, f slips, g "
-              "slips, h slips, i slips, j slips, k slips, l slips, and 2 contacts more");
+    EXPECT_EQ(
+        failure(c, motion)->problem().what,
+        "events pile up without end at 0.25 s of 1 s; a sticks, b is separated, c slips, d slips, e slips, f slips, g "
+        "slips, h slips, i slips, j slips, k slips, l slips, and 2 contacts more");
 }
 
 TEST(Failure, NamesAStepThatIsStable) {

@@ -87,8 +87,8 @@ TEST(GivenStart, IsRefusedWithAStateThatItsMotionDoesNotHave) {
         return error && std::string(error->what()).find(words) != std::string::npos;
     };
     EXPECT_TRUE(says({"contact.initial_state=separation"}, "is said to begin separated, and is closed"));
-    EXPECT_TRUE(says({"contact.initial_state=slip", "y1_0=1 um"}, "is said to begin in contact, and is open"));
-    EXPECT_TRUE(says({"contact.initial_state=stick", "y1_0=1 um"}, "is said to begin in contact, and is open"));
+    EXPECT_TRUE(says({"contact.initial_state=slip", "y1_0=1 um"}, "is said to begin in contact, and is separated"));
+    EXPECT_TRUE(says({"contact.initial_state=stick", "y1_0=1 um"}, "is said to begin in contact, and is separated"));
     EXPECT_TRUE(says({"contact.initial_state=slip", "vx1_0=0.1"}, "is said to slip, and moves with its surface"));
     EXPECT_NO_THROW(begun({"contact.initial_state=slip"}));
     EXPECT_NO_THROW(begun({"contact.initial_state=stick"}));

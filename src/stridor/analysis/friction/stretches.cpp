@@ -109,7 +109,7 @@ std::vector<ForceStretch> force_stretches(const FrictionMeasurement& measurement
         measurement.velocity.empty() ? stretches_by_force(r, options.reversal)
                                      : stretches_by_velocity(measurement.velocity, options.moving_velocity);
     if (std::none_of(r.begin(), r.end(), [](double ratio) { return std::isfinite(ratio); }))
-        base::refuse("the contact is open all the time", "its normal force is zero, or far below the preload",
+        base::refuse("the contact is separated all the time", "its normal force is zero, or far below the preload",
                      "Is the preload right, and is that channel the normal force?");
     if (stretches.empty())
         base::refuse("nothing slides in this trace",

@@ -75,7 +75,7 @@ constexpr std::size_t most_shown = 6;
 std::string frequencies_text(const parameters::Case& c, const model::Structure& structure) {
     using model::ContactState;
     const auto row = [&](const char* name, ContactState state) {
-        std::string text = fmt::format("{:<22}", name);
+        std::string text = fmt::format("{:<26}", name);
         const std::vector<double> all = model::natural_frequencies(structure, state);
         const std::size_t shown = parameters::has_plate(c) ? all.size() : std::min(all.size(), most_shown);
         for (std::size_t k = 0; k < shown; ++k)
@@ -83,7 +83,7 @@ std::string frequencies_text(const parameters::Case& c, const model::Structure& 
         return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / base::two_pi) : "") + "\n";
     };
     return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
-           row(parameters::has_plate(c) ? "open (plate, joint)" : "open", ContactState::separation);
+           row(parameters::has_plate(c) ? "separation (plate, joint)" : "separation", ContactState::separation);
 }
 
 std::string contacts_text(const parameters::Case& c, const model::Structure& structure) {

@@ -53,7 +53,7 @@ std::string open_text(const parameters::Case& c, const analysis::SlidingStabilit
     std::string text;
     for (const std::size_t contact : stability.open)
         text += (text.empty() ? "" : ", ") + base::visible(parameters::contact_name(c, contact));
-    return text.empty() ? "" : "        open: " + text + "\n";
+    return text.empty() ? "" : "        separated: " + text + "\n";
 }
 
 // the least of several, or of an own structure, has no one preload to be a share of
