@@ -290,13 +290,14 @@ TEST(Usage, EveryDocumentSaysWhereItIsFrom) {
     const ScratchFolder folder;
     const auto done = [&](std::vector<std::string> command) {
         const Finished finished = run(command, folder.path());
-        EXPECT_EQ(finished.exit_code, 0) << words(command) << finished.err;
+        EXPECT_EQ(finished.exit_code, 0) << words(command) << ": " << finished.err;
         return finished.out;
     };
     done({"init", "squeal", "-o", "c.toml"});
     done({"init", "noise-chart", "-o", "pair.toml"});
-    const std::string chart = done({"chart", "pair.toml", "--out", "d", "--set", "chart.x.points=2", "--set",
-                                    "chart.y.points=1", "--set", "run.duration=0.1", "--json"});
+    const std::string chart =
+        done({"chart", "pair.toml", "--out", "d", "--set", "chart.x.points=2", "--set", "chart.y.points=2", "--set",
+              "run.duration=0.1", "--set", "run.window=0.1", "--json"});
     const std::vector<std::pair<std::string, std::string>> documents{
         {"chart", chart},
         {"chart-status", done({"chart-status", "d", "--json"})},
@@ -304,8 +305,8 @@ TEST(Usage, EveryDocumentSaysWhereItIsFrom) {
         {"simulation", done({"simulate", "c.toml", "--json"})},
         {"stability", done({"stability", "c.toml", "--json"})},
         {"following", done({"follow", "c.toml", "--over", "preload=10:30:2", "--json"})},
-        {"strokes", done({"strokes", "c.toml", "--strokes", "2", "--duration", "1 s", "--thermal-resistance", "2 K/W",
-                          "--thermal-time", "90 s", "--json"})},
+        {"strokes", done({"strokes", "c.toml", "--strokes", "2", "--duration", "1 s", "--wear", "1e-5 mm^3/J", "--area",
+                          "20 mm^2", "--interference", "1.5 mm", "--json"})},
     };
     for (const auto& [name, text] : documents) {
         const json document = json_of(text);

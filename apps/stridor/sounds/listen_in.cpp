@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace stridor::app {
@@ -150,7 +151,9 @@ private:
             return false;
         }
         is_starved_ = true;
-        tell_gap({ear_.heard(), std::nullopt, "nothing came for " + options_.patience});
+        // the head of a recorder that died promises nothing, for ever
+        const std::string_view end = options_.input.follows ? "; the file's head does not end it, Ctrl-C does" : "";
+        tell_gap({ear_.heard(), std::nullopt, fmt::format("nothing came for {}{}", options_.patience, end)});
         return true;
     }
 
