@@ -277,7 +277,8 @@ def refuse_what_is_aside(learnt, aside):
     for path, other, how in found:
         print(f"{path} is kept aside as {other} ({how})", file=sys.stderr)
     if found:
-        sys.exit(f"{len(found)} of the clips to learn from are kept aside (what was learnt is no test). Take them out of the table?")
+        sys.exit(f"{len(found)} of the clips to learn from are kept aside (what was learnt is no test). "
+                 "Take them out of the table?")
 
 
 def main():

@@ -52,8 +52,8 @@ double now() {
 }
 
 // what the options say, read before the input is opened: a slip of the pen is told at once, and not when samples come
-struct Wishes {
-    explicit Wishes(const ListenInOptions& options)
+struct LiveWishes {
+    explicit LiveWishes(const ListenInOptions& options)
         : thresholds(thresholds_of(options.thresholds)),
           patience(seconds_of("--patience", options.patience, 0.1)),
           longest_take(seconds_of("--longest-take", options.longest_take, 10.0)),
@@ -72,7 +72,7 @@ struct Wishes {
 /// Hears a sound that is not over, and tells what it hears.
 class Watch {
 public:
-    Watch(const ListenInOptions& options, const Wishes& wishes, LiveSamples& samples)
+    Watch(const ListenInOptions& options, const LiveWishes& wishes, LiveSamples& samples)
         : options_(options),
           samples_(samples),
           begin_(wishes.began.value_or(now())),
@@ -225,7 +225,7 @@ private:
 };
 
 void listen_in(const ListenInOptions& options) {
-    const Wishes wishes(options);
+    const LiveWishes wishes(options);
     const Interrupt interrupt;
     LiveSamples samples(options.input, interrupt.token());
     say_unused(options.thresholds, judges_of(samples.input().layout.channels));
