@@ -1,10 +1,12 @@
 """Makes sounds of known category, for the ear of `stridor classify` to be fitted to.
 
-    python3 synthesise.py COUNT FOLDER
+    python3 synthesise.py COUNT FOLDER [--dry]
 
 Writes 4 COUNT sounds as 16-bit WAV files, CATEGORY_SEED.wav, and table.csv with the columns that train.py reads. The
-categories take turns: none, squeal, squeak, creak. Each sound is drawn from its own seed, so that the same COUNT gives
-the same files. The sounds are caricatures: each keeps what tells its category, and lets all the rest vary widely.
+categories take turns: none, squeal, squeak, creak. With --dry come, to 150 of each, 40 rows of dry clicks (creaks), and
+what looks like them and is none: rain (15) and steps (7); the ear is not fitted to these. Each sound is drawn from its
+own seed, so that the same COUNT gives the same files. The sounds are caricatures: each keeps what tells its category,
+and lets all the rest vary widely.
 
 Two choices run through the file. What is a ratio to the ear (frequencies, times) is drawn evenly in its logarithm.
 Levels are drawn in decibels. A change in the order of the draws changes every sound.
@@ -333,6 +335,60 @@ def voice(draw, rate, count):
     return sound / (sound.std() + SILENCE)
 
 
+def click(draw, rate):
+    """A dry click: noise of some tenths of a millisecond in a wide band, without a body that rings."""
+    length = 4 * max(2, int(evenly_in_logarithm(draw, 1e-4, 1.5e-3) * rate))
+    knock = draw.normal(size=length) * np.exp(-4 * np.arange(length) / length)
+    band = [evenly_in_logarithm(draw, 200, 2500), min(HIGHEST * rate, evenly_in_logarithm(draw, 3000, 16000))]
+    return sosfilt(butter(1, band, "band", fs=rate, output="sos"), knock)
+
+
+def dry_row(draw, rate, count):
+    """A row of dry clicks, 8 to 200 a second: releases of stick and slip at a body that does not ring. Their pace
+    glides and wavers, and so do their heights."""
+    pace, glide = evenly_in_logarithm(draw, 8, 200), draw.normal() * 0.4  # [Hz], [octaves]
+    waver, spread = draw.uniform(0.02, 0.25), draw.uniform(1, 6)  # [1] of an interval, [dB] of the heights
+    is_one = draw.random() < 0.5  # the same click each time
+    one = click(draw, rate)
+    sound = np.zeros(count + rate)
+    duration = count / rate
+    instant = 0.02
+    while instant < duration - 0.02:
+        here = one if is_one else click(draw, rate)
+        at = int(instant * rate)
+        sound[at:at + len(here)] += gain(draw.normal() * spread) * here
+        octaves = glide * (instant / duration - 0.5)
+        instant += max(0.3, 1 + waver * draw.normal()) / (pace * 2**octaves)
+    return sound[:count] * unsteady(draw, rate, count, 2, draw.uniform(0, 6))
+
+
+def rain(draw, rate, count):
+    """Drops on a hard ground: the same clicks at instants that know nothing of each other."""
+    spread = draw.uniform(2, 9)
+    sound = np.zeros(count + rate)
+    for _ in range(draw.poisson(evenly_in_logarithm(draw, 5, 300) * count / rate)):
+        drop = click(draw, rate)
+        at = draw.integers(0, count)
+        sound[at:at + len(drop)] += gain(draw.normal() * spread) * drop
+    return sound[:count]
+
+
+def steps(draw, rate, count):
+    """Steps: an even row, of one to four dull noises a second."""
+    pace = draw.uniform(1.2, 4)
+    sound = np.zeros(count + 2 * rate)
+    instant = draw.uniform(0, 0.3)
+    while instant < count / rate:
+        length = int(evenly_in_logarithm(draw, 0.02, 0.15) * rate)
+        step = draw.normal(size=length) * np.exp(-4 * np.arange(length) / length)
+        highest = min(HIGHEST * rate, evenly_in_logarithm(draw, 400, 5000))
+        step = sosfilt(butter(1, highest, fs=rate, output="sos"), step)
+        at = int(instant * rate)
+        sound[at:at + length] += step * gain(draw.normal() * 2)
+        instant += (1 + 0.08 * draw.normal()) / pace
+    return sound[:count]
+
+
 # a name that stands twice is twice as likely
 SOURCES = {
     "creak": [creak],
@@ -342,10 +398,14 @@ SOURCES = {
 }
 
 
-def recorded(draw, rate, sound, category):
+# so many for each of COUNT: dry rows, and what looks like them
+DRY = [("creak", dry_row, 0.27), ("none", rain, 0.1), ("none", steps, 0.05)]
+
+
+def recorded(draw, rate, sound, category, through_panels=0.3):
     """The sound as a microphone gets it: perhaps through a panel, perhaps in a room, with noise, at some level. None
     gets no more noise, for most of it is noise by itself."""
-    if draw.random() < 0.3:
+    if draw.random() < through_panels:
         panel = modes(draw, rate, number=draw.integers(8, 30), decays=(0.001, 0.01))
         sound = fftconvolve(sound, panel)[:len(sound)]
     if draw.random() < 0.6:
@@ -369,10 +429,20 @@ def synthesise(seed, category):
     return recorded(draw, rate, source(draw, rate, count), category), rate, source.__name__
 
 
+def synthesise_dry(seed, source):
+    """The same of clicks and steps, which no panel rings to."""
+    draw = np.random.default_rng(seed)
+    rate = int(draw.choice(RATES, p=RATE_SHARES))
+    count = int(evenly_in_logarithm(draw, SHORTEST_FRICTION, LONGEST) * rate)
+    sound = source(draw, rate, count)
+    sound = sound / (sound.std() + SILENCE) + coloured_noise(draw, rate, count) * gain(-draw.uniform(15, 50))
+    return recorded(draw, rate, sound, "none", through_panels=0), rate, source.__name__
+
+
 def write_sound(job):
     """Writes one sound, scaled down if it would clip, and returns its row of the table."""
-    folder, seed, category = job
-    sound, rate, source = synthesise(seed, category)
+    folder, seed, category, source = job
+    sound, rate, source = synthesise_dry(seed, source) if source else synthesise(seed, category)
     name = f"{category}_{seed}.wav"
     sound = np.clip(sound / max(1, np.abs(sound).max()), -1, 1)
     soundfile.write(os.path.join(folder, name), sound, rate, subtype="PCM_16")
@@ -383,9 +453,12 @@ def main():
     parser = argparse.ArgumentParser(description="Makes sounds of known category.")
     parser.add_argument("count", type=int, metavar="COUNT", help="sounds of each category")
     parser.add_argument("folder", metavar="FOLDER")
+    parser.add_argument("--dry", action="store_true", help="rows of dry clicks, rain and steps as well")
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
-    jobs = [(options.folder, seed, CATEGORIES[seed % 4]) for seed in range(4 * options.count)]
+    jobs = [(options.folder, seed, CATEGORIES[seed % 4], None) for seed in range(4 * options.count)]
+    for category, source, share in DRY if options.dry else []:
+        jobs += [(options.folder, len(jobs) + k, category, source) for k in range(int(share * options.count))]
     with ProcessPoolExecutor(os.cpu_count()) as pool:
         rows = list(pool.map(write_sound, jobs, chunksize=8))
     with open(os.path.join(options.folder, "table.csv"), "w", newline="") as text:
