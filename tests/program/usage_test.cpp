@@ -288,7 +288,7 @@ TEST(Usage, APictureOrTableOfAnotherEndingIsToldAtOnce) {
 
 TEST(Usage, EveryDocumentSaysWhereItIsFrom) {
     const ScratchFolder folder;
-    const auto done = [&](std::vector<std::string> command) {
+    const auto done = [&](const std::vector<std::string>& command) {
         const Finished finished = run(command, folder.path());
         EXPECT_EQ(finished.exit_code, 0) << words(command) << ": " << finished.err;
         return finished.out;

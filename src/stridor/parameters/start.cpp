@@ -154,8 +154,9 @@ void check_start(CaseView at, std::vector<Finding>& found) {
     const double V = velocity_at_start(at.c.drive);
     const bool sticks = start.contact == ContactStart::stick;
     const double slip_size = std::abs(sticks ? V : start.tangential_velocity) + std::abs(V);
+    const std::string name = told_name(at.c, at.joint);
     const StartingContact contact{
-        .name = told_name(at.c, at.joint),
+        .name = name,
         .state = start.contact,
         .gap = start.normal - plate.initial_normal,
         .gap_size = std::abs(start.normal) + std::abs(plate.initial_normal) + std::abs(start.tangential),

@@ -106,6 +106,20 @@ TEST(GivenStart, OfOneOfSeveralJointsIsItsOwn) {
     EXPECT_NE(std::string(error->what()).find("contact \"lower\""), std::string::npos) << error->what();
 }
 
+// so long that a string keeps it elsewhere
+TEST(GivenStart, IsRefusedByTheNameOfItsJointHoweverLong) {
+    const std::string name = "lower_lip_of_the_front_door_at_its_upper_hinge";
+    std::string text = case_toml(parameters::two_lips(), {.comments = Comments::none, .heading = ""});
+    const std::string short_name = "\"lower\"";
+    for (std::size_t at = text.find(short_name); at != std::string::npos; at = text.find(short_name, at + 1))
+        text.replace(at, short_name.size(), "\"" + name + "\"");
+    const auto error = error_of([&] {
+        read_case(TomlSource{text, "lips.toml", {"run.initial=given", "joint." + name + ".initial_normal=-1 um"}});
+    });
+    ASSERT_TRUE(error);
+    EXPECT_NE(std::string(error->what()).find("contact \"" + name + "\""), std::string::npos) << error->what();
+}
+
 TEST(GivenStart, HasNoMeaningForAnotherStart) {
     const auto error = error_of([] {
         read_case(TomlSource{squeal_toml(), "case.toml", {"joint.initial_tangential=1 um"}});
