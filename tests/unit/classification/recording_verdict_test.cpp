@@ -52,14 +52,14 @@ TEST(RecordingVerdict, OfANarrowBandIsASquealOrUndecided) {
             EXPECT_EQ(verdict.category, rate < 8000.0 ? Category::undecided : Category::none)
                 << rate << " Hz, " << seed << ": " << verdict.reasons.front();
         }
-    const auto at_4_kHz = [](double value(double)) {
+    const auto at_4_khz = [](double value(double)) {
         signal::Signal signal{4000.0, "m/s", {}};
         for (std::size_t n = 0; n < 4000; ++n)
             signal.samples.push_back(value(static_cast<double>(n) / 4000.0));
         return verdict_on(analysed({signal}, "m/s"), {});
     };
-    EXPECT_EQ(at_4_kHz([](double t) { return support::sine(700.0 * t); }).category, Category::squeal);
-    const RecordingVerdict impulses = at_4_kHz([](double t) {
+    EXPECT_EQ(at_4_khz([](double t) { return support::sine(700.0 * t); }).category, Category::squeal);
+    const RecordingVerdict impulses = at_4_khz([](double t) {
         const double since = std::fmod(t, 0.05);
         return std::exp(-since / 0.003) * support::sine(700.0 * since);
     });
