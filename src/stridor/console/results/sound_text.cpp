@@ -187,8 +187,8 @@ std::string verdict_text(const io::SoundReport& report) {
     if (report.channels.size() == 1) return text;
     text += fmt::format("\nthe verdict rests on channel {}, the loudest: {}\n", report.loudest + 1,
                         classification::name(report.verdicts[report.loudest].category));
-    for (const std::string& sentence : io::differing_channels(report))
-        text += sentence + "\n";
+    for (const io::DifferingChannel& other : io::differing_channels(report))
+        text += io::sentence_of(other) + "\n";
     return text;
 }
 

@@ -72,23 +72,30 @@ std::string others_text(const ClassifiedRecording& row) {
 
 }  // namespace
 
-std::vector<std::string> differing_channels(const SoundReport& report) {
+std::vector<DifferingChannel> differing_channels(const SoundReport& report) {
     const auto level = [&](std::size_t channel) {
         const sound::SoundAnalysis& analysis = report.channels[channel];
         return signal::level_of(analysis.mean_square, signal::reference_of(analysis.unit));
     };
-    std::vector<std::string> sentences;
+    std::vector<DifferingChannel> others;
     for (std::size_t k = 0; k < report.channels.size(); ++k) {
         const classification::RecordingVerdict& verdict = report.verdicts[k];
         if (verdict.category == report.verdicts[report.loudest].category) continue;
-        std::string sentence = fmt::format("channel {} is {}", k + 1, classification::name(verdict.category));
-        if (verdict.probability > 0.0) sentence += fmt::format(", probability {:.2f}", verdict.probability);
+        DifferingChannel other{k + 1, verdict.category, verdict.probability, {}};
         const double softer = level(report.loudest) - level(k);
         if (report.channels[k].unit == report.channels[report.loudest].unit && std::isfinite(softer))
-            sentence += fmt::format(", {:.1f} dB {}", std::abs(softer), softer < 0.0 ? "louder" : "softer");
-        sentences.push_back(std::move(sentence));
+            other.softer = softer;
+        others.push_back(other);
     }
-    return sentences;
+    return others;
+}
+
+std::string sentence_of(const DifferingChannel& other) {
+    std::string sentence = fmt::format("channel {} is {}", other.channel, classification::name(other.category));
+    if (other.probability > 0.0) sentence += fmt::format(", probability {:.2f}", other.probability);
+    if (other.softer)
+        sentence += fmt::format(", {:.1f} dB {}", std::abs(*other.softer), *other.softer < 0.0 ? "louder" : "softer");
+    return sentence;
 }
 
 ClassifiedRecording classified(const std::string& file, const SoundReport& report) {
@@ -109,11 +116,9 @@ ClassifiedRecording classified(const std::string& file, const SoundReport& repor
     row.frequency = loudest == nullptr ? std::numeric_limits<double>::quiet_NaN() : loudest->verdict.features.frequency;
     row.notes = report.notes;
     row.reasons = verdict.reasons;
-    for (std::size_t k = 0; k < report.verdicts.size(); ++k)
-        if (report.verdicts[k].category != verdict.category)
-            row.others.push_back({k + 1, report.verdicts[k].category, report.verdicts[k].probability});
-    for (std::string& sentence : differing_channels(report))
-        row.reasons.push_back(std::move(sentence));
+    row.others = differing_channels(report);
+    for (const DifferingChannel& other : row.others)
+        row.reasons.push_back(sentence_of(other));
     return row;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ namespace stridor::io {
 struct DifferingChannel {
     std::size_t channel = 0;  // [1] from 1
     classification::Category category = classification::Category::undecided;
-    double probability = 0.0;  // [1] by the ear; 0: by rules
+    double probability = 0.0;      // [1] by the ear; 0: by rules
+    std::optional<double> softer;  // [dB] than that one, where the units are the same
 };
 
 /// A recording in a row of many: the verdict on it, or why nothing could be heard.
@@ -39,9 +41,11 @@ struct ClassifiedRecording {
     std::vector<std::string> notes{};  // how it was read, where that is not as usual
 };
 
-/// Returns a sentence for each channel that is heard as another category than the one the verdict rests on: "channel 2
-/// is creak, probability 0.74, 1.4 dB softer". The level is left out where the units differ.
-std::vector<std::string> differing_channels(const SoundReport& report);
+/// Returns the channels that are heard as another category than the one the verdict rests on.
+std::vector<DifferingChannel> differing_channels(const SoundReport& report);
+
+/// Returns what is said of a channel: "channel 2 is creak, probability 0.74, 1.4 dB softer".
+std::string sentence_of(const DifferingChannel& other);
 
 /// Returns the row of a recording that was heard; it is called `file`. What the other channels are stands behind the
 /// reasons where they differ.
