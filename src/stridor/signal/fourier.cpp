@@ -300,8 +300,8 @@ struct Fourier::Buffers {
     std::optional<RadixFour> radix_four{};  // takes a quarter of the time
     std::optional<AnyLength> any_length{};
     std::size_t size;
-    std::vector<double> time;
-    std::vector<std::complex<double>> half;
+    base::AlignedVector<double> time;
+    base::AlignedVector<std::complex<double>> half;
 };
 
 Fourier::Fourier(std::size_t size) : buffers_(std::make_unique<Buffers>(size)) {
@@ -321,7 +321,7 @@ std::span<const std::complex<double>> Fourier::spectrum(std::span<const double> 
         buffers_->radix_four->forward(frame, buffers_->half);
         return buffers_->half;
     }
-    std::vector<double>& time = buffers_->time;
+    base::AlignedVector<double>& time = buffers_->time;
     const auto end = std::copy(frame.begin(), frame.end(), time.begin());
     std::fill(end, time.end(), 0.0);
     if (buffers_->radix_four)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/base/aligned.hpp"
 #include "stridor/base/elementary.hpp"
 
 #include <complex>
@@ -31,16 +32,16 @@ public:
 private:
     /// Transforms half_ complex numbers, real and imaginary parts in turns, into `here_`.
     void transform(const double* numbers);
-    double* real(std::vector<double>& buffer) const { return buffer.data(); }
-    double* imaginary(std::vector<double>& buffer) const { return buffer.data() + buffer.size() / 2; }
+    double* real(base::AlignedVector<double>& buffer) const { return buffer.data(); }
+    double* imaginary(base::AlignedVector<double>& buffer) const { return buffer.data() + buffer.size() / 2; }
 
     std::size_t half_;                       // complex numbers that a frame makes
-    std::vector<double> first_{};            // cosines, sines of once, twice, three times the turn, shape [6][half / 4]
+    base::AlignedVector<double> first_{};    // cosines, sines of once, twice, three times the turn, shape [6][half / 4]
     std::vector<base::SineCosine> later_{};  // the same of the later stages, shape [stage][butterfly][3]
     std::vector<base::SineCosine> turns_{};  // exp(-2πi k / size), shape [half / 2 + 1]
-    std::vector<double> here_;               // real parts, then imaginary ones
-    std::vector<double> there_;
-    std::vector<double> numbers_{};
+    base::AlignedVector<double> here_;       // real parts, then imaginary ones
+    base::AlignedVector<double> there_;
+    base::AlignedVector<double> numbers_{};
 };
 
 /// The discrete Fourier transform of real frames of one length, and back: by `RadixFour` if it takes the
