@@ -58,11 +58,24 @@ Welch::Welch(double rate, WelchOptions options, Listener listener)
 }
 
 void Welch::push(std::span<const double> samples) {
-    pending_.insert(pending_.end(), samples.begin(), samples.end());
-    std::size_t first = 0;
-    for (; first + options_.size <= pending_.size(); first += hop())
-        take(std::span(pending_).subspan(first, options_.size), squares_);
-    pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(first));
+    const auto take_from = [this](std::span<const double> here, std::size_t begins) {
+        std::size_t first = 0;
+        for (; first < begins && first + options_.size <= here.size(); first += hop())
+            take(here.subspan(first, options_.size), squares_);
+        return first;
+    };
+    // frames that begin among what is kept, then those that begin later: only a rest is copied
+    const std::size_t kept = pending_.size();
+    const std::size_t joined = kept == 0 ? 0 : std::min(samples.size(), options_.size - 1);
+    pending_.insert(pending_.end(), samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(joined));
+    const std::size_t taken = take_from(pending_, kept);
+    if (taken < kept) {
+        pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(taken));
+        return;
+    }
+    samples = samples.subspan(taken - kept);
+    samples = samples.subspan(take_from(samples, samples.size()));
+    pending_.assign(samples.begin(), samples.end());
 }
 
 void Welch::take(std::span<const double> samples, double squares) {

@@ -3,6 +3,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/level.hpp"
+#include "stridor/signal/median.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/powers.hpp"
 #include "stridor/signal/resample.hpp"
@@ -10,9 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numeric>
+#include <random>
+#include <span>
 #include <vector>
 
 namespace stridor::signal {
@@ -109,6 +114,32 @@ TEST(Welch, ATonesLineHasItsMeanSquareWhateverTheWindow) {
     for (const Window kind : {Window::rectangular, Window::hann, Window::blackman_harris, Window::flat_top}) {
         const Spectrum spectrum = welch(tone(1500.0, 2.0, 1.0), {4096, kind});  // on line 128
         EXPECT_NEAR(line_squares(spectrum)[128], 2.0, 1e-9);
+    }
+}
+
+TEST(Welch, HasTheSameFramesInBlocksOfAnySize) {
+    const Signal signal = with_noise(tone(1000.0, 1.0, 0.1), 20.0, 5);
+    const Spectrum whole = welch(signal, {512, Window::hann});
+    ASSERT_GT(whole.frames, 10U);
+    for (const std::size_t block : {1U, 100U, 256U, 511U, 512U, 513U, 1300U}) {
+        Welch average(signal.rate, {512, Window::hann});
+        const std::span<const double> samples(signal.samples);
+        for (std::size_t first = 0; first < samples.size(); first += block)
+            average.push(samples.subspan(first, std::min(block, samples.size() - first)));
+        EXPECT_EQ(average.spectrum().frames, whole.frames);
+        EXPECT_EQ(average.spectrum().density, whole.density);
+    }
+}
+
+TEST(Median, IsTheMiddleOfFewAndOfMany) {
+    std::mt19937 random(1);
+    for (const std::size_t count : {1U, 2U, 12U, 96U, 97U, 1001U}) {
+        std::vector<double> values(count);
+        for (double& value : values)
+            value = static_cast<double>(random());
+        const double median = median_of(values);
+        std::sort(values.begin(), values.end());
+        EXPECT_EQ(median, values[count / 2]);
     }
 }
 
