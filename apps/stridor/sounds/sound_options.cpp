@@ -10,9 +10,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -22,8 +24,15 @@ namespace stridor::app {
 
 namespace {
 
+// Each thread takes the next piece when it is done with one: the dearest come first, so none waits long at the end.
 void side_by_side(std::size_t count, const std::function<void(std::size_t)>& work) {
-    tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    std::atomic<std::size_t> next{0};
+    const auto take = [&](std::size_t /*thread*/) {
+        for (std::size_t piece = next++; piece < count; piece = next++)
+            work(piece);
+    };
+    tbb::parallel_for(std::size_t{0}, std::min(threads, count), take, tbb::simple_partitioner());
 }
 
 // nothing for short ones

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -24,6 +25,11 @@ std::vector<Biquad> low_pass(double corner, double rate, int order = 4);
 
 /// Returns a Butterworth high pass of even order as sections, with -3.01 dB at `corner` [Hz].
 std::vector<Biquad> high_pass(double corner, double rate, int order = 4);
+
+/// Returns a corner [Hz] that a rate [Hz] can have: the one that is wanted, a quarter of the rate at most.
+inline double corner_within(double wanted, double rate) {
+    return std::min(wanted, 0.25 * rate);
+}
 
 /// Returns a signal after the sections, one after the other, from rest; shape [sample].
 std::vector<double> filtered(std::span<const double> samples, std::span<const Biquad> sections);

@@ -2,6 +2,7 @@
 
 #include "stridor/base/decibels.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/signal/side_by_side.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,31 +55,24 @@ double level_of(double mean_square, double reference) {
 LevelMeter::LevelMeter(double rate, double reference, double time_constant)
     : rate_(rate),
       reference_(reference),
-      share_(1.0 - base::exponential(-1.0 / (rate * time_constant))),
+      state_{.share = 1.0 - base::exponential(-1.0 / (rate * time_constant))},
       stride_(std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(interval * rate)))),
       until_(stride_) {}
 
 void LevelMeter::push(std::span<const double> samples) {
-    while (!samples.empty()) {
-        const std::size_t count = std::min(until_, samples.size());
-        double mean_square = mean_square_;
-        double peak = peak_;
-        for (const double x : samples.first(count)) {
-            mean_square += share_ * (x * x - mean_square);
-            peak = std::max(peak, mean_square);
-        }
-        mean_square_ = mean_square;
-        peak_ = peak;
-        until_ -= count;
-        if (until_ == 0) keep();
-        samples = samples.subspan(count);
-    }
+    push_side_by_side(samples, *this);
+}
+
+void LevelMeter::end(const State& state, std::size_t count) {
+    state_ = state;
+    until_ -= count;
+    if (until_ == 0) keep();
 }
 
 void LevelMeter::keep() {
-    kept_.push_back(peak_);
-    greatest_ = std::max(greatest_, peak_);
-    peak_ = 0.0;
+    kept_.push_back(state_.peak);
+    greatest_ = std::max(greatest_, state_.peak);
+    state_.peak = 0.0;
     if (kept_.size() == most_kept) {
         for (std::size_t k = 0; 2 * k < kept_.size(); ++k)
             kept_[k] = std::max(kept_[2 * k], kept_[2 * k + 1]);
@@ -93,7 +87,7 @@ LevelHistory LevelMeter::history() const {
     result.interval = static_cast<double>(stride_) / rate_;
     for (const double mean_square : kept_)
         result.decibels.push_back(level_of(mean_square, reference_));
-    result.greatest = level_of(std::max(greatest_, peak_), reference_);
+    result.greatest = level_of(std::max(greatest_, state_.peak), reference_);
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -39,6 +40,34 @@ public:
     /// Takes the next samples.
     void push(std::span<const double> samples);
 
+    /// The averages so far: see `push_side_by_side`.
+    struct State {
+        double share = 0.0;        // of the average that one sample replaces
+        double squares = 0.0;      // sum of all
+        double mean_square = 0.0;  // exponential
+        double peak = 0.0;         // greatest mean square since the last value kept
+
+        /// Takes the next sample.
+        void next(double x) {
+            const double square = x * x;
+            squares += square;
+            mean_square += share * (square - mean_square);
+            peak = std::max(peak, mean_square);
+        }
+    };
+
+    /// Returns the number of samples until the next value is kept.
+    std::size_t room() const { return until_; }
+
+    /// Returns the state before samples.
+    State begin(std::span<const double> /*samples*/) const { return state_; }
+
+    /// Takes the state behind so many samples, and keeps a value if it is time.
+    void end(const State& state, std::size_t count);
+
+    /// Returns the sum of the squares of all samples so far.
+    double squares() const { return state_.squares; }
+
     /// Returns the level so far.
     LevelHistory history() const;
 
@@ -47,11 +76,9 @@ private:
 
     double rate_;
     double reference_;
-    double share_;  // of the average that one sample replaces
+    State state_;
     std::size_t stride_;
-    std::size_t until_ = 0;  // samples until the next value is kept
-    double mean_square_ = 0.0;
-    double peak_ = 0.0;           // greatest mean square since the last value kept
+    std::size_t until_ = 0;       // samples until the next value is kept
     double greatest_ = 0.0;       // of all
     std::vector<double> kept_{};  // greatest mean squares
 };

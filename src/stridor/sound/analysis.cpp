@@ -1,14 +1,12 @@
 #include "stridor/sound/analysis.hpp"
 
-#include "stridor/base/clones.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/signal/side_by_side.hpp"
 #include "stridor/signal/spectrum.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,28 +16,12 @@ namespace {
 
 constexpr double spectrum_time = 0.085;  // [s] of the spectra
 constexpr std::size_t most_extents = 4096;
-constexpr std::size_t block_frames = 1U << 16U;
+constexpr std::size_t block_frames = 1U << 16U;  // from which it is told what stands still
+// Samples that are read at a time: the longer the pieces of work, the shorter a processor waits at the end for others.
+constexpr std::size_t most_read = 16 * block_frames;
 // [unit] less is silence: the fourth powers of what is smaller leave double precision, and 0/0 is no figure
 constexpr double smallest_sample = 1e-60;
 constexpr double lowest_heard = 40.0;  // [Hz] below lies the motion of the drive
-constexpr double beyond_all = std::numeric_limits<double>::infinity();
-
-// four at a time: each waits for itself only
-STRIDOR_CLONES SampleExtent extent_of(std::span<const double> samples) {
-    std::array<double, 4> low{beyond_all, beyond_all, beyond_all, beyond_all};
-    std::array<double, 4> high{-beyond_all, -beyond_all, -beyond_all, -beyond_all};
-    std::size_t first = 0;
-    for (; first + 4 <= samples.size(); first += 4)
-        for (std::size_t lane = 0; lane < 4; ++lane) {
-            low[lane] = std::min(low[lane], samples[first + lane]);
-            high[lane] = std::max(high[lane], samples[first + lane]);
-        }
-    for (; first < samples.size(); ++first) {
-        low[0] = std::min(low[0], samples[first]);
-        high[0] = std::max(high[0], samples[first]);
-    }
-    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
-}
 
 // the waveform's extremes; when they become too many, neighbours are joined
 class Outline {
@@ -64,7 +46,7 @@ public:
 private:
     void keep() {
         extents_.push_back(current_);
-        current_ = {beyond_all, -beyond_all};
+        current_ = {};
         filled_ = 0;
         if (extents_.size() < most_extents) return;
         for (std::size_t k = 0; 2 * k < most_extents; ++k)
@@ -77,7 +59,7 @@ private:
     double rate_;
     std::size_t stride_;
     std::size_t filled_ = 0;
-    SampleExtent current_{beyond_all, -beyond_all};
+    SampleExtent current_{};
     std::vector<SampleExtent> extents_{};
 };
 
@@ -114,7 +96,6 @@ struct ChannelOverview::State {
     double greatest_weighted = 0.0;
     signal::Welch average;
     std::uint64_t count = 0;
-    double squares = 0.0;
     double peak = 0.0;
 };
 
@@ -124,16 +105,15 @@ ChannelOverview::~ChannelOverview() = default;
 ChannelOverview::ChannelOverview(ChannelOverview&&) noexcept = default;
 ChannelOverview& ChannelOverview::operator=(ChannelOverview&&) noexcept = default;
 
+signal::LevelMeter& ChannelOverview::meter() {
+    return state_->meter;
+}
+
 void ChannelOverview::push(std::span<const double> samples) {
     State& s = *state_;
-    double squares = s.squares;
-    for (const double x : samples)
-        squares += x * x;
-    s.squares = squares;
     const SampleExtent extent = extent_of(samples);
     s.peak = std::max({s.peak, extent.high, -extent.low});
     s.count += samples.size();
-    s.meter.push(samples);
     s.outline.push(samples);
     s.average.push(samples);
 }
@@ -145,7 +125,7 @@ SoundAnalysis ChannelOverview::finish() {
     result.unit = s.channel.unit;
     result.rate = s.rate;
     result.duration = static_cast<double>(s.count) / s.rate;
-    result.mean_square = s.count == 0 ? 0.0 : s.squares / static_cast<double>(s.count);
+    result.mean_square = s.count == 0 ? 0.0 : s.meter.squares() / static_cast<double>(s.count);
     result.peak = s.peak;
     result.level = s.meter.history();
     result.spectrum = s.average.spectrum();
@@ -190,32 +170,34 @@ class ChannelParter {
 public:
     explicit ChannelParter(std::vector<signal::Channel> channels) : channels_(std::move(channels)) {}
 
+    // adds them to those that a channel has
     void part(std::span<const double> frames, Channels& channels) {
         const std::size_t width = channels_.size();
         const std::size_t count = frames.size() / width;
         channels.resize(width);
         for (std::size_t channel = 0; channel < width; ++channel) {
-            channels[channel].resize(count);
+            std::vector<double>& samples = channels[channel];
+            const std::size_t before = samples.size();
+            samples.resize(before + count);
+            const auto here = std::span(samples).subspan(before);
             for (std::size_t frame = 0; frame < count; ++frame) {
                 const double x = frames[frame * width + channel];
                 if (!signal::is_sample(x)) refuse(x, channel, done_ + frame + 1);
-                channels[channel][frame] = std::abs(x) < smallest_sample ? 0.0 : x;
+                here[frame] = std::abs(x) < smallest_sample ? 0.0 : x;
             }
+            if (count > 0) take_standing_part(here, channel);
         }
-        if (count > 0) take_standing_parts(channels);
         done_ += count;
     }
 
     std::uint64_t done() const { return done_; }
 
 private:
-    void take_standing_parts(Channels& channels) {
-        for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-            if (done_ == 0) standing_.push_back(standing_part(channels[channel]));
-            if (standing_[channel] == 0.0) continue;
-            for (double& x : channels[channel])
-                x -= standing_[channel];
-        }
+    void take_standing_part(std::span<double> samples, std::size_t channel) {
+        if (done_ == 0) standing_.push_back(standing_part(samples));
+        if (standing_[channel] == 0.0) return;
+        for (double& x : samples)
+            x -= standing_[channel];
     }
 
     [[noreturn]] void refuse(double x, std::size_t channel, std::uint64_t number) const {
@@ -227,24 +209,33 @@ private:
     std::uint64_t done_ = 0;
 };
 
-// a recording block by block
+// a recording, some blocks at a time
 class BlockReader {
 public:
     explicit BlockReader(signal::Source& source)
         : source_(source),
+          width_(source.layout().channels.size()),
           parter_(source.layout().channels),
-          block_(block_frames * source.layout().channels.size()) {}
+          block_(block_frames * width_) {}
 
     // leaves no frame at the end
     void read(Channels& channels) {
-        const std::size_t count = source_.read(block_);
-        parter_.part(std::span(block_).first(count * source_.layout().channels.size()), channels);
+        channels.resize(width_);
+        for (std::vector<double>& samples : channels)
+            samples.clear();
+        for (std::size_t read = 0; read < std::max(most_read, block_.size()) && !has_ended_; read += block_.size()) {
+            const std::size_t count = source_.read(block_);
+            has_ended_ = count == 0;
+            parter_.part(std::span(block_).first(count * width_), channels);
+        }
     }
 
 private:
     signal::Source& source_;
+    std::size_t width_;
     ChannelParter parter_;
     std::vector<double> block_;
+    bool has_ended_ = false;
 };
 
 // all that is found in the channels of a recording; its pieces of work are independent, the dearest come first
@@ -271,17 +262,28 @@ public:
 
     std::size_t pieces() const { return 2 * width_ + passages_.size() + meters_.size(); }
 
-    void push(std::size_t piece, const Channels& channels) {
-        const std::size_t described = 2 * width_;
-        const std::size_t passed = described + passages_.size();
-        if (piece < width_)
-            finders_[piece].push(channels[piece]);
-        else if (piece < described)
-            overviews_[piece - width_].push(channels[piece - width_]);
-        else if (piece < passed)
-            passages_[piece - described].push(channels[heard_[piece - described]]);
+    // What waits for itself, of each channel: it comes before `push`.
+    void part(std::size_t channel, std::span<const double> samples) {
+        const auto place = std::find(heard_.begin(), heard_.end(), channel);
+        PartSquares& stretches = finders_[channel].parts();
+        signal::LevelMeter& meter = overviews_[channel].meter();
+        if (place == heard_.end())
+            signal::push_side_by_side(samples, stretches, meter);
         else
-            meters_[piece - passed].push(channels[metered_[piece - passed]]);
+            signal::push_side_by_side(samples, stretches, meter,
+                                      passages_[static_cast<std::size_t>(place - heard_.begin())].parts());
+    }
+
+    void push(std::size_t piece, const Channels& channels) {
+        const std::size_t metered = passages_.size() + meters_.size();
+        if (piece < passages_.size())
+            passages_[piece].push_parted(channels[heard_[piece]]);
+        else if (piece < metered)
+            meters_[piece - passages_.size()].push(channels[metered_[piece - passages_.size()]]);
+        else if (piece < metered + width_)
+            finders_[piece - metered].push_parted(channels[piece - metered]);
+        else
+            overviews_[piece - metered - width_].push(channels[piece - metered - width_]);
     }
 
     std::span<const Passage> passages(std::size_t channel) const {
@@ -344,8 +346,9 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
     reader.read(here);
     if (here.front().empty()) throw no_samples();
     while (!here.front().empty()) {
-        // the next block is read beside the work
+        // the next ones are read beside the work
         const std::size_t pieces = findings.pieces();
+        run(here.size(), [&](std::size_t channel) { findings.part(channel, here[channel]); });
         run(pieces + 1, [&](std::size_t piece) {
             if (piece < pieces)
                 findings.push(piece, here);
@@ -366,7 +369,11 @@ struct SoundListener::State {
           parter(layout.channels) {}
 
     void hear(std::span<const double> frames) {
+        for (std::vector<double>& samples : channels)
+            samples.clear();
         parter.part(frames, channels);
+        for (std::size_t channel = 0; channel < width; ++channel)
+            findings.part(channel, channels[channel]);
         for (std::size_t piece = 0; piece < findings.pieces(); ++piece)
             findings.push(piece, channels);
     }

@@ -4,6 +4,7 @@
 #include "stridor/signal/source.hpp"
 #include "stridor/signal/spectrogram.hpp"
 #include "stridor/signal/spectrum.hpp"
+#include "stridor/sound/course.hpp"
 #include "stridor/sound/passages.hpp"
 #include "stridor/sound/quality.hpp"
 
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace stridor::sound {
-
-/// The smallest and the largest sample of an equal moment, as a drawn waveform needs them.
-struct SampleExtent {
-    double low = 0.0;   // [unit]
-    double high = 0.0;  // [unit]
-};
 
 /// The shape of a waveform over equal moments.
 struct Waveform {
@@ -56,6 +51,9 @@ public:
     ~ChannelOverview();
     ChannelOverview(ChannelOverview&&) noexcept;
     ChannelOverview& operator=(ChannelOverview&&) noexcept;
+
+    /// Returns the level of the channel, which takes each sample before `push` does.
+    signal::LevelMeter& meter();
 
     /// Takes the next samples in the channel's unit.
     void push(std::span<const double> samples);

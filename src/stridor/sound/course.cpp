@@ -171,6 +171,26 @@ std::vector<double> rises_of(std::span<const double> envelope) {
 
 }  // namespace
 
+// eight at a time: each waits for itself only
+STRIDOR_CLONES SampleExtent extent_of(std::span<const double> samples) {
+    constexpr std::size_t lanes = 8;
+    std::array<double, lanes> low;
+    std::array<double, lanes> high;
+    low.fill(SampleExtent{}.low);
+    high.fill(SampleExtent{}.high);
+    std::size_t first = 0;
+    for (; first + lanes <= samples.size(); first += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            low[lane] = std::min(low[lane], samples[first + lane]);
+            high[lane] = std::max(high[lane], samples[first + lane]);
+        }
+    for (; first < samples.size(); ++first) {
+        low[0] = std::min(low[0], samples[first]);
+        high[0] = std::max(high[0], samples[first]);
+    }
+    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+}
+
 Moments moments_of(std::span<const double> samples) {
     Moments moments;
     for (const double x : samples) {
@@ -203,12 +223,12 @@ STRIDOR_CLONES void slots_of(std::span<const double> samples, double low, double
 double largest_dwell(std::span<const double> samples, double width) {
     constexpr std::size_t slots_per_width = 8;
     constexpr std::size_t most_slots = 1U << 15U;
-    const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+    const auto [low, high] = extent_of(samples);
     const double scale =
-        std::min(slots_per_width / width, static_cast<double>(most_slots) / std::max(*high - *low, 1e-300));
-    std::vector<std::uint32_t> counts(base::whole_below((*high - *low) * scale, most_slots) + 2);
+        std::min(slots_per_width / width, static_cast<double>(most_slots) / std::max(high - low, 1e-300));
+    std::vector<std::uint32_t> counts(base::whole_below((high - low) * scale, most_slots) + 2);
     std::vector<std::int32_t> slots(samples.size());
-    slots_of(samples, *low, scale, slots, static_cast<std::int32_t>(counts.size() - 1));
+    slots_of(samples, low, scale, slots, static_cast<std::int32_t>(counts.size() - 1));
     for (const std::int32_t slot : slots)
         ++counts[static_cast<std::size_t>(slot)];
     std::size_t inside = 0;

@@ -2,11 +2,21 @@
 
 #include "stridor/signal/window.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
 /// The course of a sound in time: its level, its rest, and its impulses. docs/methods/sound.md, section 3.
 namespace stridor::sound {
+
+/// The smallest and the largest sample of a moment.
+struct SampleExtent {
+    double low = std::numeric_limits<double>::infinity();    // [unit]
+    double high = -std::numeric_limits<double>::infinity();  // [unit]
+};
+
+/// Returns the extent of samples; of none, the low end lies above the high one.
+SampleExtent extent_of(std::span<const double> samples);
 
 /// Means of the powers of samples.
 struct Moments {

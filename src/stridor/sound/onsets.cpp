@@ -1,14 +1,11 @@
 #include "stridor/sound/onsets.hpp"
 
-#include "stridor/base/clones.hpp"
 #include "stridor/base/decibels.hpp"
-#include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
-#include "stridor/signal/running_biquad.hpp"
+#include "stridor/sound/filtered_passage.hpp"
 #include "stridor/sound/rhythm.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -20,45 +17,6 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr std::size_t most_bands = 4;
-constexpr std::array<double, most_bands + 1> corners{1000.0, 2000.0, 4000.0, 8000.0, 14000.0};  // [Hz]
-constexpr double lowest_share = 0.4;    // [1] of the rate, that a band begins below
-constexpr double highest_share = 0.47;  // [1] of the rate, where it ends at the latest
-constexpr double own_floor = 1e-6;      // [1] of the band's loudest part: 60 dB
-constexpr double common_floor = 1e-5;   // [1] of the loudest part of all bands: 50 dB
-
-using Lanes = std::array<double, most_bands>;
-
-// one section of each band, side by side: each waits for itself, so four take hardly longer than one
-struct Sections {
-    Lanes b0{};
-    Lanes b1{};
-    Lanes b2{};
-    Lanes a1{};
-    Lanes a2{};
-    Lanes first{};
-    Lanes second{};
-
-    void set(std::size_t band, const signal::Biquad& section) {
-        b0[band] = section.b0;
-        b1[band] = section.b1;
-        b2[band] = section.b2;
-        a1[band] = section.a1;
-        a2[band] = section.a2;
-    }
-
-    Lanes next(const Lanes& x) {
-        Lanes y;
-        for (std::size_t k = 0; k < most_bands; ++k) {
-            y[k] = b0[k] * x[k] + first[k];
-            first[k] = b1[k] * x[k] - a1[k] * y[k] + second[k];
-            second[k] = b2[k] * x[k] - a2[k] * y[k];
-        }
-        return y;
-    }
-};
-
-constexpr double corner = 1000.0;           // [Hz]
 constexpr double part_time = 0.002;         // [s]
 constexpr std::size_t step_parts = 4;       // 8 ms
 constexpr std::size_t short_parts = 2;      // 4 ms, for impulses of which the next one comes before 16 ms have passed
@@ -78,12 +36,6 @@ constexpr std::size_t least_row = 4;            // onsets: by chance few follow 
 constexpr std::size_t least_fast_row = 8;       // steps of 2 ms are more often those of noise
 constexpr double most_interval_change = 1.741;  // [1] of an interval to the next, 0.8 octaves
 constexpr double longest_interval = 0.35;       // [s] within a train
-constexpr double level_time = 0.05;             // [s]
-constexpr double level_corner = 100.0;          // [Hz]
-
-double clamped_corner(double wanted, double rate) {
-    return std::min(wanted, 0.25 * rate);
-}
 
 std::vector<double> squares_of(std::span<const double> samples, std::size_t length) {
     std::vector<double> squares(samples.size() / length);
@@ -252,33 +204,6 @@ double beat_of(std::span<const double> levels, std::span<const std::uint8_t> lou
     return moments_of(away, loud).deviation;
 }
 
-// what filters leave of samples
-struct Filtered {
-    std::vector<double> sound;    // above `corner`
-    std::vector<double> squares;  // [unit²] above `level_corner`, shape [part]
-};
-
-// The filters wait for themselves only, so that they take hardly longer side by side than the longest.
-Filtered filtered(std::span<const double> samples, double rate) {
-    const auto high = signal::high_pass(clamped_corner(corner, rate), rate, 4);
-    signal::RunningBiquad one{high.front()};
-    signal::RunningBiquad other{high.back()};
-    signal::RunningBiquad level{signal::high_pass(clamped_corner(level_corner, rate), rate, 2).front()};
-    const std::size_t length = std::min(samples.size(), static_cast<std::size_t>(level_time * rate));
-    Filtered result{std::vector<double>(samples.size()), std::vector<double>(samples.size() / length)};
-    for (std::size_t part = 0, n = 0; n < samples.size(); ++part) {
-        const std::size_t end = std::min(samples.size(), n + length);
-        double sum = 0.0;
-        for (; n < end; ++n) {
-            const double y = level.next(samples[n]);
-            sum += y * y;
-            result.sound[n] = other.next(one.next(samples[n]));
-        }
-        if (part < result.squares.size()) result.squares[part] = sum / static_cast<double>(length);
-    }
-    return result;
-}
-
 void describe_levels(std::span<const double> squares, Onsets& onsets) {
     const double greatest = *std::max_element(squares.begin(), squares.end());
     if (!(greatest > 0.0)) return;
@@ -336,51 +261,13 @@ void describe_fast(std::span<const double> sound, double rate, Onsets& onsets) {
 
 }  // namespace
 
-STRIDOR_CLONES std::vector<double> band_levels(std::span<const double> samples, double rate, std::size_t length) {
-    Sections high;
-    Sections low;
-    std::size_t bands = 0;
-    for (; bands < most_bands && corners[bands] < lowest_share * rate; ++bands) {
-        high.set(bands, signal::high_pass(corners[bands], rate, 2).front());
-        low.set(bands, signal::low_pass(std::min(corners[bands + 1], highest_share * rate), rate, 2).front());
-    }
-    if (bands == 0) return {};
-
-    std::vector<Lanes> squares(samples.size() / length);
-    Lanes loudest{};
-    for (std::size_t part = 0; part < squares.size(); ++part) {
-        Lanes sums{};
-        for (const double x : samples.subspan(part * length, length)) {
-            const Lanes y = low.next(high.next({x, x, x, x}));
-            for (std::size_t k = 0; k < most_bands; ++k)
-                sums[k] += y[k] * y[k];
-        }
-        squares[part] = sums;
-        for (std::size_t k = 0; k < most_bands; ++k)
-            loudest[k] = std::max(loudest[k], sums[k]);
-    }
-    const double least = common_floor * *std::max_element(loudest.begin(), loudest.end());
-    if (!(least > 0.0)) return std::vector<double>(squares.size());
-    std::vector<double> levels(squares.size());
-    std::vector<double> band(squares.size());
-    for (std::size_t k = 0; k < bands; ++k) {
-        for (std::size_t part = 0; part < squares.size(); ++part)
-            band[part] = squares[part][k] + own_floor * loudest[k] + least;
-        base::make_decibels(band);
-        for (std::size_t part = 0; part < squares.size(); ++part)
-            levels[part] += band[part];
-    }
-    for (double& level : levels)
-        level /= static_cast<double>(bands);
-    return levels;
-}
-
 Onsets onsets_of(std::span<const double> samples, double rate) {
     Onsets onsets;
-    const auto [sound, level_squares] = filtered(samples, rate);
-    describe_levels(level_squares, onsets);
     const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(part_time * rate)));
-    const std::vector<double> squares = squares_of(sound, length);
+    const FilteredPassage filtered = filter_passage(samples, rate, length);
+    const std::vector<double>& sound = filtered.high;
+    describe_levels(filtered.level_squares, onsets);
+    const std::vector<double>& squares = filtered.high_squares;
     const double greatest = *std::max_element(squares.begin(), squares.end());
     if (!(greatest > 0.0)) return onsets;
     const double least = step_floor * greatest;
@@ -402,7 +289,7 @@ Onsets onsets_of(std::span<const double> samples, double rate) {
 
     describe_fast(sound, rate, onsets);
 
-    std::vector<double> levels = band_levels(samples, rate, length);
+    std::vector<double> levels = octave_levels(filtered);
     if (levels.empty()) return onsets;
     const double lowest = *std::max_element(levels.begin(), levels.end()) - joint_depth;
     for (double& level : levels)

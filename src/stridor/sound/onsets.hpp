@@ -6,13 +6,6 @@
 
 namespace stridor::sound {
 
-/// Returns the level of a sound over its parts of `length` samples, as the mean of the levels [dB] of octaves from 1
-/// kHz up: 1 to 2, 2 to 4, 4 to 8 and 8 to 14 kHz, as far as the rate [Hz] has them; empty if it has none.
-///
-/// All octaves have the same weight, however weak, down to 50 dB below the greatest. So an impulse that strikes all of
-/// them at once shows even if a room or a body rings on in one: the highest octaves ring the shortest.
-std::vector<double> band_levels(std::span<const double> samples, double rate, std::size_t length);
-
 /// The course of a passage: how its level steps up and falls off above 1 kHz, where the impulses of a creak rise above
 /// the ringing of the room and the wood. Formulas: docs/methods/ear.md.
 struct Onsets {
@@ -26,7 +19,7 @@ struct Onsets {
     double fast_skewness = 0.0;       // [1] `skewness` of these steps
     double fast_train = 0.0;          // [1] share of the time that rows of eight of them take, at most 60 ms apart
     double longest_fast_train = 0.0;  // [1] of them in the longest such row
-    double joint_skewness = 0.0;      // [1] `skewness` of the mean level of octaves, see `band_levels`
+    double joint_skewness = 0.0;      // [1] `skewness` of the mean level of octaves, see `octave_levels`
     double joint_train = 0.0;         // [1] onsets in the longest row of that level
     double beat = 0.0;                // [dB] standard deviation of the level over 8 ms around that over 0.2 s
     double rhythm = 0.0;              // [dB] see `rhythm_of`, above 1 kHz

@@ -1,8 +1,8 @@
 #include "stridor/sound/passages.hpp"
 
 #include "stridor/signal/median.hpp"
+#include "stridor/signal/side_by_side.hpp"
 #include "stridor/signal/spectrum.hpp"
-#include "stridor/sound/part_squares.hpp"
 #include "stridor/sound/sections.hpp"
 
 #include <algorithm>
@@ -116,9 +116,18 @@ PassageFinder::PassageFinder(PassageFinder&&) noexcept = default;
 PassageFinder& PassageFinder::operator=(PassageFinder&&) noexcept = default;
 
 void PassageFinder::push(std::span<const double> samples) {
+    signal::push_side_by_side(samples, parts());
+    push_parted(samples);
+}
+
+PartSquares& PassageFinder::parts() {
+    return state_->sections.parts();
+}
+
+void PassageFinder::push_parted(std::span<const double> samples) {
     State& s = *state_;
     s.pending.insert(s.pending.end(), samples.begin(), samples.end());
-    s.describe(s.sections.push(samples));
+    s.describe(s.sections.push(samples.size()));
 }
 
 std::span<const Passage> PassageFinder::found() const {
@@ -187,8 +196,16 @@ StretchFinder::StretchFinder(StretchFinder&&) noexcept = default;
 StretchFinder& StretchFinder::operator=(StretchFinder&&) noexcept = default;
 
 void StretchFinder::push(std::span<const double> samples) {
+    signal::push_side_by_side(samples, parts());
+    push_parted(samples);
+}
+
+PartSquares& StretchFinder::parts() {
+    return state_->parts;
+}
+
+void StretchFinder::push_parted(std::span<const double> samples) {
     State& s = *state_;
-    s.parts.push(samples);
     s.pending.insert(s.pending.end(), samples.begin(), samples.end());
     s.describe(State::End::open);
 }

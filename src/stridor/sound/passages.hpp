@@ -3,6 +3,7 @@
 #include "stridor/signal/spectrogram.hpp"
 #include "stridor/sound/features.hpp"
 #include "stridor/sound/onsets.hpp"
+#include "stridor/sound/part_squares.hpp"
 #include "stridor/sound/tones.hpp"
 
 #include <memory>
@@ -32,6 +33,12 @@ public:
 
     /// Takes the next samples.
     void push(std::span<const double> samples);
+
+    /// Returns the parts of the channel: for samples that go through other filters, too, and then to `push_parted`.
+    PartSquares& parts();
+
+    /// Takes the next samples, which `parts` has taken before, in place of `push`.
+    void push_parted(std::span<const double> samples);
 
     /// Returns the passages that are complete so far, in time.
     std::span<const Passage> found() const;
@@ -68,6 +75,12 @@ public:
 
     /// Takes the next samples.
     void push(std::span<const double> samples);
+
+    /// Returns the parts of the channel: for samples that go through other filters, too, and then to `push_parted`.
+    PartSquares& parts();
+
+    /// Takes the next samples, which `parts` has taken before, in place of `push`.
+    void push_parted(std::span<const double> samples);
 
     /// Returns the stretches that are complete so far, in time.
     std::span<const SoundStretch> found() const;

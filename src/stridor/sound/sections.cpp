@@ -1,7 +1,5 @@
 #include "stridor/sound/sections.hpp"
 
-#include "stridor/sound/part_squares.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <deque>
@@ -17,7 +15,6 @@ namespace {
 
 constexpr double section_part = 0.01;         // [s]
 constexpr double section_corner = 100.0;      // [Hz] below lies what nobody hears
-constexpr double highest_corner = 0.25;       // [1] of the rate, for that corner
 constexpr std::size_t around = 400;           // parts before and after that a level is held against
 constexpr double sounding_share = 1e-3;       // [1] 30 dB: what lies lower is a pause
 constexpr std::size_t longest_pause = 60;     // parts within a sound
@@ -31,15 +28,10 @@ constexpr auto most_parts = static_cast<std::size_t>(longest_section / section_p
 
 struct SectionFinder::State {
     explicit State(double rate)
-        : course(rate, std::min(section_corner, highest_corner * rate), section_part, PartSquares::Samples::kept),
+        : course(rate, signal::corner_within(section_corner, rate), section_part, PartSquares::Samples::kept),
           length(course.length()) {}
 
     enum class End { open, reached };
-
-    void take(std::span<const double> samples) {
-        count += samples.size();
-        course.push(samples);
-    }
 
     // places count from the first part that is kept
     std::span<const double> squares_of(std::size_t place) const {
@@ -120,7 +112,8 @@ struct SectionFinder::State {
     void forget() {
         const std::size_t oldest = std::min(begun.value_or(decided), decided);
         const std::size_t old = std::min(decided - std::min(decided, around), oldest);
-        if (old < around) return;
+        // half of them at a time: the others have to move
+        if (2 * old < levels.size()) return;
         const auto samples = static_cast<std::ptrdiff_t>(length * old);
         course.sample_squares.erase(course.sample_squares.begin(), course.sample_squares.begin() + samples);
         levels.erase(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(old));
@@ -156,8 +149,12 @@ SectionFinder::~SectionFinder() = default;
 SectionFinder::SectionFinder(SectionFinder&&) noexcept = default;
 SectionFinder& SectionFinder::operator=(SectionFinder&&) noexcept = default;
 
-std::vector<SoundSection> SectionFinder::push(std::span<const double> samples) {
-    state_->take(samples);
+PartSquares& SectionFinder::parts() {
+    return state_->course;
+}
+
+std::vector<SoundSection> SectionFinder::push(std::size_t samples) {
+    state_->count += samples;
     state_->go_on(State::End::open);
     return std::exchange(state_->sections, {});
 }

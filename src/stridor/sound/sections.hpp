@@ -1,8 +1,10 @@
 #pragma once
 
+#include "stridor/sound/part_squares.hpp"
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace stridor::sound {
@@ -31,8 +33,11 @@ public:
     SectionFinder(SectionFinder&&) noexcept;
     SectionFinder& operator=(SectionFinder&&) noexcept;
 
-    /// Takes the next samples and returns the sections that have ended since, in time.
-    std::vector<SoundSection> push(std::span<const double> samples);
+    /// Returns the parts of the channel, which take each sample before `push` does.
+    PartSquares& parts();
+
+    /// Takes so many samples more and returns the sections that have ended since, in time.
+    std::vector<SoundSection> push(std::size_t samples);
 
     /// Ends the recording and returns the last sections. They do not depend on the blocks in which the samples came.
     std::vector<SoundSection> finish();

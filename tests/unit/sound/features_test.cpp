@@ -100,6 +100,7 @@ TEST(Analyse, BlocksDoNotMatter) {
             const auto samples =
                 std::span(signal.samples).subspan(first, std::min(block, signal.samples.size() - first));
             finder.push(samples);
+            overview.meter().push(samples);
             overview.push(samples);
         }
         SoundAnalysis analysis = overview.finish();
