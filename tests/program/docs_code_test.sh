@@ -28,7 +28,7 @@ for page in $pages; do
     for block in "$work"/*.cpp; do
         [ -e "$block" ] || continue
         blocks=$((blocks + 1))
-        "$@" -I "$source/src" -fsyntax-only "$block" >"$work/said" 2>&1 || {
+        "$@" -I "$source/src" -I "$source/apps/stridor" -fsyntax-only "$block" >"$work/said" 2>&1 || {
             failures=$((failures + 1))
             echo "$page:$(basename "$block" .cpp): does not compile"
             sed 's/^/    /' "$work/said" | head -n 20

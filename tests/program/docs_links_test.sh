@@ -8,7 +8,7 @@ links=0
 for page in README.md CHANGELOG.md $(find docs -name '*.md' | LC_ALL=C sort); do
     # [text](target), several in a line, pictures too, outside of fenced blocks; anchors and web addresses are left out
     for target in $(awk '
-        /^```/ { is_code = !is_code; next }
+        /^[ ]*```/ { is_code = !is_code; next }
         is_code { next }
         {
             text = $0

@@ -6,7 +6,7 @@
 
 namespace stridor::signal {
 
-/// Returns the states behind samples, each as `next` of its own takes them. They are values here, so that the loop keeps
+/// Returns the states behind samples, each as its own `next` takes them. They are values here, so that the loop keeps
 /// them in registers.
 template <typename... States>
 std::tuple<States...> states_behind(std::span<const double> samples, States... states) {
