@@ -135,7 +135,7 @@ STRIDOR_CLONES void lines_of(Numbers z, std::size_t half, const base::SineCosine
     spectrum[2 * half] = re[0] - im[0];
     spectrum[2 * half + 1] = 0.0;
 #pragma omp simd
-    for (std::size_t k = 1; k <= half / 2; ++k) {
+    for (std::size_t k = 1; k < half / 2; ++k) {
         const std::size_t mirror = half - k;
         const double even_r = 0.5 * (re[k] + re[mirror]);
         const double even_i = 0.5 * (im[k] - im[mirror]);
@@ -148,6 +148,10 @@ STRIDOR_CLONES void lines_of(Numbers z, std::size_t half, const base::SineCosine
         spectrum[2 * mirror] = even_r - turned_r;
         spectrum[2 * mirror + 1] = turned_i - even_i;
     }
+    // the line that mirrors itself
+    const std::size_t middle = half / 2;
+    spectrum[2 * middle] = re[middle] - turn[middle].cosine * im[middle];
+    spectrum[2 * middle + 1] = turn[middle].sine * im[middle];
 }
 
 // The complex numbers whose transform holds the samples of a frame, with real and imaginary parts swapped.
@@ -157,7 +161,7 @@ STRIDOR_CLONES void numbers_of(const double* __restrict spectrum, std::size_t ha
     numbers[0] = scale * (spectrum[0] - spectrum[2 * half]);
     numbers[1] = scale * (spectrum[0] + spectrum[2 * half]);
 #pragma omp simd
-    for (std::size_t k = 1; k <= half / 2; ++k) {
+    for (std::size_t k = 1; k < half / 2; ++k) {
         const std::size_t mirror = half - k;
         const double even_r = spectrum[2 * k] + spectrum[2 * mirror];
         const double even_i = spectrum[2 * k + 1] - spectrum[2 * mirror + 1];
@@ -170,6 +174,12 @@ STRIDOR_CLONES void numbers_of(const double* __restrict spectrum, std::size_t ha
         numbers[2 * mirror] = scale * (odd_r - even_i);
         numbers[2 * mirror + 1] = scale * (even_r + odd_i);
     }
+    // the line that mirrors itself
+    const std::size_t middle = half / 2;
+    const double twice_r = 2.0 * spectrum[2 * middle];
+    const double twice_i = 2.0 * spectrum[2 * middle + 1];
+    numbers[2 * middle] = scale * (turn[middle].sine * twice_i);
+    numbers[2 * middle + 1] = scale * (twice_r + turn[middle].cosine * twice_i);
 }
 
 // the parts swapped back
