@@ -33,8 +33,7 @@ public:
     void push(std::span<const double> samples) {
         while (!samples.empty()) {
             const std::size_t count = std::min(stride_ - filled_, samples.size());
-            const SampleExtent extent = extent_of(samples.first(count));
-            current_ = {std::min(current_.low, extent.low), std::max(current_.high, extent.high)};
+            current_ = joined(current_, extent_of(samples.first(count)));
             samples = samples.subspan(count);
             filled_ += count;
             if (filled_ == stride_) keep();
@@ -43,15 +42,24 @@ public:
 
     Waveform waveform() const { return {static_cast<double>(stride_) / rate_, extents_}; }
 
+    // [unit] the greatest magnitude of all samples so far
+    double peak() const {
+        const SampleExtent all = std::accumulate(extents_.begin(), extents_.end(), current_, joined);
+        return std::max({0.0, all.high, -all.low});
+    }
+
 private:
+    static SampleExtent joined(const SampleExtent& a, const SampleExtent& b) {
+        return {std::min(a.low, b.low), std::max(a.high, b.high)};
+    }
+
     void keep() {
         extents_.push_back(current_);
         current_ = {};
         filled_ = 0;
         if (extents_.size() < most_extents) return;
         for (std::size_t k = 0; 2 * k < most_extents; ++k)
-            extents_[k] = {std::min(extents_[2 * k].low, extents_[2 * k + 1].low),
-                           std::max(extents_[2 * k].high, extents_[2 * k + 1].high)};
+            extents_[k] = joined(extents_[2 * k], extents_[2 * k + 1]);
         extents_.resize(most_extents / 2);
         stride_ *= 2;
     }
@@ -96,7 +104,6 @@ struct ChannelOverview::State {
     double greatest_weighted = 0.0;
     signal::Welch average;
     std::uint64_t count = 0;
-    double peak = 0.0;
 };
 
 ChannelOverview::ChannelOverview(double rate, signal::Channel channel)
@@ -111,8 +118,6 @@ signal::LevelMeter& ChannelOverview::meter() {
 
 void ChannelOverview::push(std::span<const double> samples) {
     State& s = *state_;
-    const SampleExtent extent = extent_of(samples);
-    s.peak = std::max({s.peak, extent.high, -extent.low});
     s.count += samples.size();
     s.outline.push(samples);
     s.average.push(samples);
@@ -126,7 +131,7 @@ SoundAnalysis ChannelOverview::finish() {
     result.rate = s.rate;
     result.duration = static_cast<double>(s.count) / s.rate;
     result.mean_square = s.count == 0 ? 0.0 : s.meter.squares() / static_cast<double>(s.count);
-    result.peak = s.peak;
+    result.peak = s.outline.peak();
     result.level = s.meter.history();
     result.spectrum = s.average.spectrum();
     result.spectrum.unit = s.channel.unit;
