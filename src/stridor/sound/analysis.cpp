@@ -158,6 +158,12 @@ void check(const signal::ChannelLayout& layout) {
 
 using Channels = std::vector<std::vector<double>>;  // [unit] shape [channel][frame]
 
+// their memory stays for the next frames
+void drop_frames(Channels& channels) {
+    for (std::vector<double>& samples : channels)
+        samples.clear();
+}
+
 // The part of a signal that stands still where it outweighs what moves: gravity, a bias, an offset. Else 0: filters
 // then take away what there is, and the samples keep their bits.
 double standing_part(std::span<const double> samples) {
@@ -226,8 +232,7 @@ public:
     // leaves no frame at the end
     void read(Channels& channels) {
         channels.resize(width_);
-        for (std::vector<double>& samples : channels)
-            samples.clear();
+        drop_frames(channels);
         for (std::size_t read = 0; read < std::max(most_read, block_.size()) && !has_ended_; read += block_.size()) {
             const std::size_t count = source_.read(block_);
             has_ended_ = count == 0;
@@ -269,14 +274,12 @@ public:
 
     // What waits for itself, of each channel: it comes before `push`.
     void part(std::size_t channel, std::span<const double> samples) {
-        const auto place = std::find(heard_.begin(), heard_.end(), channel);
         PartSquares& stretches = finders_[channel].parts();
         signal::LevelMeter& meter = overviews_[channel].meter();
-        if (place == heard_.end())
-            signal::push_side_by_side(samples, stretches, meter);
+        if (const std::size_t place = place_of(channel); place < passages_.size())
+            signal::push_side_by_side(samples, stretches, meter, passages_[place].parts());
         else
-            signal::push_side_by_side(samples, stretches, meter,
-                                      passages_[static_cast<std::size_t>(place - heard_.begin())].parts());
+            signal::push_side_by_side(samples, stretches, meter);
     }
 
     void push(std::size_t piece, const Channels& channels) {
@@ -292,9 +295,9 @@ public:
     }
 
     std::span<const Passage> passages(std::size_t channel) const {
-        const auto place = std::find(heard_.begin(), heard_.end(), channel);
-        if (place == heard_.end()) return {};
-        return passages_[static_cast<std::size_t>(place - heard_.begin())].found();
+        const std::size_t place = place_of(channel);
+        if (place == passages_.size()) return {};
+        return passages_[place].found();
     }
 
     std::span<const SoundStretch> stretches(std::size_t channel) const { return finders_[channel].found(); }
@@ -317,6 +320,11 @@ public:
     }
 
 private:
+    // among those heard through air; their number if it is none of them
+    std::size_t place_of(std::size_t channel) const {
+        return static_cast<std::size_t>(std::find(heard_.begin(), heard_.end(), channel) - heard_.begin());
+    }
+
     std::size_t width_;
     std::vector<StretchFinder> finders_{};
     std::vector<ChannelOverview> overviews_{};
@@ -374,8 +382,7 @@ struct SoundListener::State {
           parter(layout.channels) {}
 
     void hear(std::span<const double> frames) {
-        for (std::vector<double>& samples : channels)
-            samples.clear();
+        drop_frames(channels);
         parter.part(frames, channels);
         for (std::size_t channel = 0; channel < width; ++channel)
             findings.part(channel, channels[channel]);
