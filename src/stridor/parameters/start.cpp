@@ -38,7 +38,7 @@ ContactStart state_of(const StartingContact& contact) {
 }
 
 std::optional<base::Problem> unlawful(const StartingContact& contact) {
-    const std::string who = contact.name.empty() ? "the contact" : "contact \"" + std::string(contact.name) + "\"";
+    const std::string who = contact.name.empty() ? "the contact" : "contact \"" + contact.name + "\"";
     if (contact.gap < -start_rounding * contact.gap_size)
         return base::Problem{who + " begins with a gap of " + shortest(contact.gap) + " m",
                              "surfaces are never in each other", "Let them touch, or begin with an open gap."};
@@ -154,9 +154,8 @@ void check_start(CaseView at, std::vector<Finding>& found) {
     const double V = velocity_at_start(at.c.drive);
     const bool sticks = start.contact == ContactStart::stick;
     const double slip_size = std::abs(sticks ? V : start.tangential_velocity) + std::abs(V);
-    const std::string name = told_name(at.c, at.joint);
     const StartingContact contact{
-        .name = name,
+        .name = told_name(at.c, at.joint),
         .state = start.contact,
         .gap = start.normal - plate.initial_normal,
         .gap_size = std::abs(start.normal) + std::abs(plate.initial_normal) + std::abs(start.tangential),

@@ -4,7 +4,7 @@
 #include "stridor/parameters/rules/check.hpp"
 
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 /// Starts of the user's own (`Initial::given`): what a contact may do at one.
@@ -13,7 +13,7 @@ namespace stridor::parameters {
 /// A contact at the start. Sizes are what rounding works on: the sums of the sizes of the terms, and those of the
 /// tangential motion, since a rest of it is in all others.
 struct StartingContact {
-    std::string_view name;  // empty for the only one
+    std::string name;  // empty for the only one
     ContactStart state = ContactStart::by_motion;
     double gap = 0.0, gap_size = 0.0;    // [m]
     double rate = 0.0, rate_size = 0.0;  // [m/s] of the gap
