@@ -2,7 +2,7 @@
 import { chartKinds, type Direction } from "../program/words.ts";
 import { bytesOf, floatsOf } from "./frames.ts";
 import { namePlaces, spread, type NamePlace } from "./regions.ts";
-import type { BoundaryLine, ChartAxisFrame, ChartFrame } from "./types.ts";
+import type { ChartAxisFrame, ChartFrame } from "./types.ts";
 
 export interface ChartData {
   x: ChartAxisFrame;
@@ -14,7 +14,6 @@ export interface ChartData {
   painted: Float32Array | null; // the figure, cells that were not computed like their nearest neighbour
   figureRange: readonly [number, number];
   names: NamePlace[]; // where a category's name fits
-  boundaries: BoundaryLine[];
   gaps: string; // why cells without a result have none
   done: boolean;
 }
@@ -54,7 +53,6 @@ export function merged(before: ChartData | null, frame: ChartFrame, hasFigure: b
     painted: figure && spread(figure, frame.computed_mask ? bytesOf(frame.computed_mask) : null, x.points, y.points),
     names: frame.done && !figure ? namePlaces(bytesOf(frame.category), x.points, y.points) : [],
     figureRange: figure ? rangeOf(figure) : [0, 1],
-    boundaries: frame.boundaries ?? [],
     gaps: frame.gaps ?? "",
     done: frame.done,
   };

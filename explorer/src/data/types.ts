@@ -191,15 +191,6 @@ export interface ChartAxisFrame extends Axis {
   values: number[];
 }
 
-export interface BoundaryLine {
-  direction: number;
-  first: string;
-  second: string;
-  closed: boolean;
-  x: number[];
-  y: number[];
-}
-
 export interface ChartFrame {
   schema: string;
   round: number;
@@ -212,7 +203,6 @@ export interface ChartFrame {
   category: string;
   computed_mask: string;
   figure?: string;
-  boundaries?: BoundaryLine[];
   /** Why the first cell without a result has none; empty where each has one. */
   gaps?: string;
 }

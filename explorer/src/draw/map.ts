@@ -55,25 +55,26 @@ export function paintMap(surface: Surface, data: ChartData, direction: Direction
   if (box.width < 10 || box.height < 10) return;
   if (data.figure) paintFigure(surface, box, data, direction, look);
   else paintCategories(surface, box, data, direction, look);
-  paintBoundaries(surface, box, data, direction, look);
+  if (data.done) paintBoundaries(surface, box, data, direction, look);
   paintNames(surface, box, data, direction, look);
   paintFrameOf(surface, box, data, look);
 }
 
-/** Device-pixel edges of cells, so that neighbours meet without a seam. */
-function edges(start: number, size: number, count: number, ratio: number): number[] {
-  return Array.from({ length: count + 1 }, (_, i) => Math.round((start + (size * i) / count) * ratio) / ratio);
+/** Edges of columns, and of rows from below, in whole pixels of the device: neighbours meet without a seam. */
+function gridOf({ ratio }: Surface, box: Box, { x, y }: ChartData): [number[], number[]] {
+  const edges = (start: number, size: number, count: number): number[] =>
+    Array.from({ length: count + 1 }, (_, i) => Math.round((start + (size * i) / count) * ratio) / ratio);
+  return [edges(box.left, box.width, x.points), edges(box.top + box.height, -box.height, y.points)];
 }
 
 function paintCategories(surface: Surface, box: Box, data: ChartData, direction: Direction, look: Look): void {
-  const { pen, ratio } = surface;
+  const { pen } = surface;
   const { x, y } = data;
-  const columns = edges(box.left, box.width, x.points, ratio);
-  const rows = edges(box.top, box.height, y.points, ratio);
+  const [columns, rows] = gridOf(surface, box, data);
   const brushes = brushesOf(surface, look.palette);
   for (let iy = 0; iy < y.points; ++iy) {
-    const top = rows[y.points - 1 - iy] as number;
-    const height = (rows[y.points - iy] as number) - top;
+    const top = rows[iy + 1] as number;
+    const height = (rows[iy] as number) - top;
     const row = indexOf(data, direction, 0, iy);
     for (let ix = 0; ix < x.points;) {
       const category = data.category[row + ix] as number;
@@ -134,26 +135,32 @@ function paintFigure(surface: Surface, box: Box, data: ChartData, direction: Dir
   pen.drawImage(small, box.left, box.top, box.width, box.height);
 }
 
-function paintBoundaries(surface: Surface, box: Box, data: ChartData, direction: Direction, look: Look): void {
+/** Edges between cells whose verdicts differ. None lies between slides and sticks: both are none. */
+export function paintBoundaries(surface: Surface, box: Box, data: ChartData, direction: Direction, look: Look): void {
   const { pen } = surface;
+  const [columns, rows] = gridOf(surface, box, data);
+  const verdict = (ix: number, iy: number): string | undefined => {
+    const kind = chartKinds[data.category[indexOf(data, direction, ix, iy)] as number];
+    return kind === "none (sticks)" ? "none" : kind;
+  };
   pen.save();
-  pen.beginPath();
-  pen.rect(box.left, box.top, box.width, box.height);
-  pen.clip();
   pen.strokeStyle = data.figure ? "#FFFFFF" : look.palette.ink;
   pen.lineWidth = 1.1;
-  pen.lineJoin = "round";
+  pen.lineCap = "square"; // two that meet make a corner
   pen.beginPath();
-  for (const line of data.boundaries) {
-    if (data.directions[line.direction] !== direction) continue;
-    line.x.forEach((value, k) => {
-      const px = box.left + box.width * place(value, data.x);
-      const py = box.top + box.height * (1 - place(line.y[k] as number, data.y));
-      if (k === 0) pen.moveTo(px, py);
-      else pen.lineTo(px, py);
-    });
-    if (line.closed) pen.closePath();
-  }
+  for (let iy = 0; iy < data.y.points; ++iy)
+    for (let ix = 0; ix < data.x.points; ++ix) {
+      const own = verdict(ix, iy);
+      const [left, below] = [columns[ix] as number, rows[iy] as number];
+      if (ix > 0 && verdict(ix - 1, iy) !== own) {
+        pen.moveTo(left, below);
+        pen.lineTo(left, rows[iy + 1] as number);
+      }
+      if (iy > 0 && verdict(ix, iy - 1) !== own) {
+        pen.moveTo(left, below);
+        pen.lineTo(columns[ix + 1] as number, below);
+      }
+    }
   pen.stroke();
   pen.restore();
 }

@@ -141,7 +141,7 @@ TEST(FirstAnswers, HaveTheWholeChartOfTheCaseInOneFrame) {
     chart(world, charted.at("body"), {}).stream([&](const auto& line) { last = base::Json::parse(line); }, {});
     const base::Json kept = base::Json::parse(charted.at("answer").get<std::string>());
     EXPECT_EQ(kept.at("directions"), base::Json({"going", "coming"}));
-    for (const char* name : {"done", "computed", "category", "computed_mask", "boundaries"})
+    for (const char* name : {"done", "computed", "category", "computed_mask", "gaps"})
         EXPECT_EQ(kept.at(name), last.at(name)) << name;
 }
 

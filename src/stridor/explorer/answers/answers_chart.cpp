@@ -2,7 +2,6 @@
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/sent_columns.hpp"
 #include "stridor/io/chart/json_chart.hpp"
-#include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/keeper.hpp"
@@ -28,25 +27,6 @@ std::uint8_t code_of(const sweep::CellVerdict& cell) {
     if (cell.status != sweep::Status::done) return no_result;
     if (cell.quiet == classification::Quiet::locks) return locked;
     return cell.quiet == classification::Quiet::sticks ? stuck : static_cast<std::uint8_t>(cell.category);
-}
-
-Json boundary_objects(const sweep::SweepResult& result) {
-    Json array = Json::array();
-    for (const sweep::Boundary& boundary : sweep::boundaries(result)) {
-        Json x = Json::array();
-        Json y = Json::array();
-        for (const sweep::BoundaryVertex& vertex : boundary.vertices) {
-            x.push_back(vertex.x);
-            y.push_back(vertex.y);
-        }
-        array.push_back({{"direction", boundary.direction},
-                         {"first", boundary.first},
-                         {"second", boundary.second},
-                         {"closed", boundary.form == sweep::LineForm::closed},
-                         {"x", std::move(x)},
-                         {"y", std::move(y)}});
-    }
-    return array;
 }
 
 std::string category_bytes(const sweep::SweepResult& result) {
@@ -97,10 +77,7 @@ public:
             const std::vector<double> values = sweep::figure_values(result, *figure);
             frame["figure"] = base64_of<float>(std::vector<float>(values.begin(), values.end()));
         }
-        if (is_done) {
-            frame["boundaries"] = boundary_objects(result);
-            frame["gaps"] = gap_words(result);
-        }
+        if (is_done) frame["gaps"] = gap_words(result);
         send_(frame.dump() + "\n");
         ++round_;
         shown_ = Clock::now();
