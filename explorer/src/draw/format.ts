@@ -154,7 +154,7 @@ export function symbolText(symbol: string): string {
 
 /** Parts of a line that wraps between them and never inside: "t = 5 ms · N = 20 N". */
 export function inRow(parts: readonly string[]): string {
-  return parts.map((part) => part.replaceAll(" ", "\u00a0")).join(" · ");
+  return parts.map((part) => part.replaceAll(" ", "\u00a0")).join("\u00a0· ");
 }
 
 /** "contact.kinetic_friction" as words: "kinetic friction"; a section's only value is called as the section. */

@@ -282,7 +282,7 @@ test("a spectrum has a logarithmic axis, and its peaks are told", async () => {
   await page.locator("#tab-spectra").click();
   await page.waitForSelector("#peaks:not(:empty)");
   const told = await page.locator("#peaks").innerText();
-  const [, frequency] = /^peaks \[dB re 1 nm\/s\]:\s([\d.]+)\sHz\s[\d.]+\sdB · /.exec(told);
+  const [, frequency] = /^peaks \[dB re 1 nm\/s\]:\s([\d.]+)\sHz\s[\d.]+\sdB\s· /.exec(told);
   const heard = await page.locator("#verdict .chip").first().innerText();
   assert.ok(Math.abs(Number(frequency) - parseFloat(/[\d.]+ Hz/.exec(heard)[0])) < 3, `${told} / ${heard}`);
   const over = page.locator('[data-plot="Spectrum"] .u-over');

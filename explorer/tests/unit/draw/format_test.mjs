@@ -127,7 +127,7 @@ test("numbers keep few digits and never lie about nothing", () => {
 });
 
 test("a row of values wraps between them alone", () => {
-  assert.equal(inRow(["t = 5 ms", "N = 20 N"]), "t\u00a0=\u00a05\u00a0ms · N\u00a0=\u00a020\u00a0N");
+  assert.equal(inRow(["t = 5 ms", "N = 20 N"]), "t\u00a0=\u00a05\u00a0ms\u00a0· N\u00a0=\u00a020\u00a0N");
 });
 
 test("marks of a small span far from zero have the digits that tell them apart", () => {
