@@ -120,6 +120,10 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
     EXPECT_EQ(c.own_structure->contacts[0].position, (std::array{0.0, 0.0, 0.5}));
     EXPECT_EQ(c.own_structure->contacts[1].position, std::nullopt);
     EXPECT_EQ(c.own_structure->contacts[1].preload_share, 0.0);
+    put("contacts.csv", "name,normal,tangent,static_friction\ntip,u2,-u1,0,5\n");
+    const auto shifted = support::error_of([&] { read_case((folder / "case.toml").string()); });
+    ASSERT_TRUE(shifted) << "0,5 between commas is two fields";
+    EXPECT_NE(std::string(shifted->what()).find("the row has 5 fields"), std::string::npos) << shifted->what();
     put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 2\n");
     put("k.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -1\n2 2 4\n");
     put("rows.csv", "node,component,x,y,z,set\n7,x,0,0,0,TIP\n7,z,0,0,0,TIP\n");

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/recordings/table/csv_table.hpp"
+#include "stridor/recordings/table/named_table.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <algorithm>
@@ -40,14 +40,6 @@ Row markdown_row(std::string_view line) {
         if (bar == std::string_view::npos) return row;
         rest.remove_prefix(bar + 1);
     }
-}
-
-Row csv_row(std::string_view line, char delimiter) {
-    Row row;
-    if (base::trimmed(line).empty() || line.front() == '#') return row;
-    for (const recordings::csv_table::CsvField& field : recordings::csv_table::split(line, delimiter))
-        row.push_back(field.text);
-    return row;
 }
 
 bool is_rule(const Row& row) {
@@ -95,9 +87,12 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-struct ExpectationTable {
-    std::filesystem::path path;
-    bool is_csv = false;
+// what a row of a table says
+struct ExpectedRow {
+    std::string file;
+    std::string expected;
+    std::string source;
+    std::string confidence;
 };
 
 // where a row has what; the number of its fields where it has it not
@@ -127,51 +122,59 @@ std::filesystem::path place_of(const std::filesystem::path& folder, const std::s
                                                                                                                 : whole;
 }
 
-void add(const Row& row, const Columns& columns, const RowPlace& place, const std::filesystem::path& folder,
+void add(const ExpectedRow& row, const RowPlace& place, const std::filesystem::path& folder,
          std::vector<Expectation>& expectations) {
-    if (row.size() <= std::max(columns.file, columns.expected))
+    if (row.file.empty() || row.expected.empty())
         refuse(place, "the row has no field for each column", "file and expected category are needed", "");
-    const std::vector<Category> categories = categories_in(row[columns.expected]);
+    const std::vector<Category> categories = categories_in(row.expected);
     if (categories.empty())
-        refuse(place, "\"" + row[columns.expected] + "\" names no category",
+        refuse(place, "\"" + row.expected + "\" names no category",
                "expected is none, squeal, squeak or creak, or several joined by \"or\"", "");
-    const std::string source = columns.source < row.size() ? row[columns.source] : "";
-    const bool is_sure = columns.confidence >= row.size() || row[columns.confidence] != "low";
-    for (const std::string& name : names_in(row[columns.file])) {
+    for (const std::string& name : names_in(row.file)) {
         const std::filesystem::path path = place_of(folder, name);
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(path, ignored))
             refuse(place, path.string() + " is not there", "the table names it", "");
-        expectations.push_back({path.string(), row[columns.expected], categories, source, is_sure});
+        expectations.push_back({path.string(), row.expected, categories, row.source, row.confidence != "low"});
     }
 }
 
-std::vector<Expectation> read_table(const ExpectationTable& table, const std::filesystem::path& folder) {
-    const std::string text = storage::read_file(table.path.string());
-    std::istringstream lines(text);
+std::vector<Expectation> read_csv(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    recordings::NamedTable table(recordings::open_plain_bytes(path.string()), path.string());
+    if (!table.has("file") || !table.has("expected"))
+        refuse(table.columns().front().place, "the first row names no columns \"file\" and \"expected\"",
+               "a row must say what is what", "Begin with: file,expected");
+    const std::string source = table.has("source") ? "source" : "repository";
+    std::vector<Expectation> expectations;
+    while (table.next())
+        add({table.text("file"), table.text("expected"), table.text(source), table.text("confidence")}, table.place(),
+            folder, expectations);
+    return expectations;
+}
+
+// the first table of a page that has the columns
+std::vector<Expectation> read_page(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    std::istringstream lines(storage::read_file(path.string()));
     std::vector<Expectation> expectations;
     std::optional<Columns> columns;
-    char delimiter = ',';
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
-        if (number == 1 && line.starts_with(recordings::csv_table::utf8_mark))
-            line.erase(0, recordings::csv_table::utf8_mark.size());
-        if (table.is_csv && !columns) delimiter = recordings::csv_table::sniff(line).delimiter;
-        const Row row = table.is_csv ? csv_row(line, delimiter) : markdown_row(line);
-        if (row.empty() && columns && !table.is_csv) break;  // the table's end
-        if (row.empty()) continue;
-        const RowPlace place{table.path.string(), number, 1, line};
-        if (!columns) {
+        const Row row = markdown_row(line);
+        if (row.empty() && columns) break;  // the table's end
+        if (row.empty() || is_rule(row)) continue;
+        const auto field = [&](std::size_t column) { return column < row.size() ? row[column] : std::string(); };
+        if (!columns)
             columns = columns_of(row);
-            if (!columns && table.is_csv)
-                refuse(place, "the first row names no columns \"file\" and \"expected\"", "a row must say what is what",
-                       "Begin with: file,expected");
-        } else if (!is_rule(row)) {
-            add(row, *columns, place, folder, expectations);
-        }
+        else
+            add({field(columns->file), field(columns->expected), field(columns->source), field(columns->confidence)},
+                {path.string(), number, 1, line}, folder, expectations);
     }
     return expectations;
+}
+
+std::vector<Expectation> read_table(const std::filesystem::path& table, const std::filesystem::path& folder) {
+    return table.extension() == ".md" ? read_page(table, folder) : read_csv(table, folder);
 }
 
 }  // namespace
@@ -182,15 +185,13 @@ std::vector<Expectation> read_expectations(const std::string& folder, const std:
     if (!std::filesystem::is_directory(path, ignored))
         throw Error(ErrorKind::input, {folder + " is no folder", "recordings stand in one", ""});
     if (!labels.empty()) {
-        std::vector<Expectation> found = read_table({labels, !labels.ends_with(".md")}, path);
+        std::vector<Expectation> found = read_table(labels, path);
         if (!found.empty()) return found;
         throw Error(ErrorKind::input, {labels + " labels no recording", "it has no rows", ""});
     }
-    const ExpectationTable csv{path / "expected.csv", true};
-    const ExpectationTable page{path / "README.md", false};
-    for (const ExpectationTable& table : {csv, page}) {
-        if (!std::filesystem::is_regular_file(table.path, ignored)) continue;
-        std::vector<Expectation> found = read_table(table, path);
+    for (const char* name : {"expected.csv", "README.md"}) {
+        if (!std::filesystem::is_regular_file(path / name, ignored)) continue;
+        std::vector<Expectation> found = read_table(path / name, path);
         if (!found.empty()) return found;
     }
     throw Error(ErrorKind::input, {folder + " has no table of what its recordings are",

@@ -5,12 +5,12 @@
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/raw_signal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
+#include "stridor/recordings/table/named_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace stridor::io::structure {
 
@@ -20,104 +20,76 @@ constexpr std::size_t most_sets = 100'000;
 constexpr std::size_t most_set_nodes = 4'000'000;  // [1] of all sets, some 130 MB; a model has a set of all its nodes
 
 namespace csv = recordings::csv_table;
-using recordings::LineReader;
-using recordings::place_of;
+using recordings::NamedColumn;
 using recordings::refusal;
-using recordings::TextLine;
 
-constexpr std::array<std::string_view, 6> known_columns{"node", "component", "x", "y", "z", "set"};
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
-/// Where each known column stands; none: it is not there.
-struct RowColumns {
-    csv::Dialect dialect;
-    std::array<std::optional<std::size_t>, known_columns.size()> places{};
-    std::array<double, 3> lengths{1.0, 1.0, 1.0};  // [m] units of x, y, z
-};
-
-std::string_view without_mark(std::string_view text) {
-    if (text.starts_with(csv::utf8_mark)) text.remove_prefix(csv::utf8_mark.size());
-    return text;
-}
-
-RowColumns layout_of(const TextLine& line, const std::string& file) {
-    RowColumns layout{csv::sniff(line.text)};
-    const std::vector<csv::CsvField> fields = csv::split(without_mark(line.text), layout.dialect.delimiter);
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-        const csv::Title title = csv::title_of(fields[k].text);
-        const auto known = std::find(known_columns.begin(), known_columns.end(), csv::lower(title.name));
-        if (known == known_columns.end()) continue;
-        const auto which = static_cast<std::size_t>(known - known_columns.begin());
-        layout.places.at(which) = k;
-        if (which < 2 || which > 4 || title.unit.empty()) continue;
-        const auto unit = base::find_unit(title.unit);
-        if (!unit || !(unit->dimension == base::Dimension{.length = 1}))
-            throw refusal(place_of(file, line, fields[k].column), fmt::format("\"{}\" is no length", title.unit));
-        layout.lengths.at(which - 2) = unit->factor;
-    }
-    if (!layout.places[0])
-        throw refusal(place_of(file, line, 1), "the table has no column \"node\"",
-                      "its first line names node, component, and if they are known x, y, z and set");
-    return layout;
-}
-
-class TableReader {
+class LabelReader {
 public:
-    TableReader(const StructureInput& input, const RowColumns& layout) : input_(input), layout_(layout) {}
-
-    void take(const TextLine& line) {
-        fields_ = csv::split(line.text, layout_.dialect.delimiter);
-        const std::string node = field(0);
-        if (node.empty()) throw refusal(place_of(input_.name, line, 1), "the row has no node");
-        const std::string component = field(1);
-        const auto number = component_in(component);
-        if (!number)
-            throw refusal(place_of(input_.name, line, 1), fmt::format("\"{}\" is no component", component),
-                          "it is 1 to 6, UX to ROTZ, or empty");
-        table_.labels.push_back({node, *number});
-        take_position(line, node);
-        take_sets(line, node);
+    explicit LabelReader(const StructureInput& input) : rows_(input.bytes, input.name) {
+        if (!rows_.has("node"))
+            throw refusal(rows_.columns().front().place, "the table has no column \"node\"",
+                          "its first line names node, component, and if they are known x, y, z and set");
+        for (const NamedColumn& column : rows_.columns()) {
+            const auto axis = std::find(axes.begin(), axes.end(), column.name);
+            if (axis == axes.end() || column.unit.empty()) continue;
+            const auto unit = base::find_unit(column.unit);
+            if (!unit || !(unit->dimension == base::Dimension{.length = 1}))
+                throw refusal(column.place, fmt::format("\"{}\" is no length", column.unit));
+            lengths_.at(static_cast<std::size_t>(axis - axes.begin())) = unit->factor;
+        }
+        has_positions_ = std::all_of(axes.begin(), axes.end(), [&](std::string_view axis) { return rows_.has(axis); });
     }
 
-    RowTable finish() {
+    RowTable read() {
+        while (rows_.next())
+            take_row();
         table_.sets = sets_.take();
         return std::move(table_);
     }
 
 private:
-    std::string field(std::size_t column) const {
-        const auto place = layout_.places.at(column);
-        return place && *place < fields_.size() ? fields_[*place].text : std::string();
+    void take_row() {
+        const std::string node = rows_.text("node");
+        if (node.empty()) throw refusal(rows_.place(), "the row has no node");
+        const std::string component = rows_.text("component");
+        const auto number = component_in(component);
+        if (!number)
+            throw refusal(rows_.place(), fmt::format("\"{}\" is no component", component),
+                          "it is 1 to 6, UX to ROTZ, or empty");
+        table_.labels.push_back({node, *number});
+        if (has_positions_) take_position(node);
+        take_sets(node);
     }
 
-    void take_position(const TextLine& line, const std::string& node) {
-        if (!layout_.places[2] || !layout_.places[3] || !layout_.places[4]) return;
+    void take_position(const std::string& node) {
         Eigen::Vector3d position;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::string text = field(2 + axis);
+        for (std::size_t k = 0; k < axes.size(); ++k) {
+            const std::string text = rows_.text(axes.at(k));
             if (text.empty()) return;
-            const auto value = csv::number_in(text, layout_.dialect);
-            if (!value || !std::isfinite(*value))
-                throw refusal(place_of(input_.name, line, 1), fmt::format("\"{}\" is no coordinate", text));
-            position[static_cast<Eigen::Index>(axis)] = *value * layout_.lengths.at(axis);
+            const auto value = rows_.number(axes.at(k));
+            if (!value) throw refusal(rows_.place(), fmt::format("\"{}\" is no coordinate", text));
+            position[static_cast<Eigen::Index>(k)] = *value * lengths_.at(k);
         }
         table_.positions[node] = position;
     }
 
-    void take_sets(const TextLine& line, const std::string& node) {
-        const std::string text = field(5);
+    void take_sets(const std::string& node) {
+        const std::string text = rows_.text("set");
         for (const std::string_view word : recordings::words(text)) {
             const std::string name(word);
             const std::size_t place = sets_.place_of(name, name);
             if (const auto problem = sets_.excess(1))
-                throw refusal(place_of(input_.name, line, 1), problem->what, problem->why, problem->suggestion);
+                throw refusal(rows_.place(), problem->what, problem->why, problem->suggestion);
             const std::vector<std::string>& nodes = sets_.nodes_of(place);
             if (nodes.empty() || nodes.back() != node) sets_.add(place, node);
         }
     }
 
-    const StructureInput& input_;
-    const RowColumns& layout_;
-    std::vector<csv::CsvField> fields_;
+    recordings::NamedTable rows_;
+    std::array<double, 3> lengths_{1.0, 1.0, 1.0};  // [m] units of x, y, z
+    bool has_positions_ = false;
     RowTable table_;
     SetTable sets_;
 };
@@ -162,22 +134,14 @@ std::optional<int> component_in(std::string_view text) {
 }
 
 bool is_row_table(std::string_view first_line) {
-    const std::vector<csv::CsvField> fields = csv::split(without_mark(first_line), csv::sniff(first_line).delimiter);
+    if (first_line.starts_with(csv::utf8_mark)) first_line.remove_prefix(csv::utf8_mark.size());
+    const std::vector<csv::CsvField> fields = csv::split(first_line, csv::sniff(first_line).delimiter);
     return std::any_of(fields.begin(), fields.end(),
                        [](const csv::CsvField& each) { return csv::lower(csv::title_of(each.text).name) == "node"; });
 }
 
 RowTable read_row_table(const StructureInput& input) {
-    LineReader lines(input.bytes, input.name);
-    auto line = lines.next();
-    while (line && (base::trimmed(line->text).empty() || line->text.starts_with('#')))
-        line = lines.next();
-    if (!line) throw refusal(input.name, "the table is empty");
-    const RowColumns layout = layout_of(*line, input.name);
-    TableReader reader(input, layout);
-    while (const auto row = lines.next())
-        if (!base::trimmed(row->text).empty()) reader.take(*row);
-    return reader.finish();
+    return LabelReader(input).read();
 }
 
 }  // namespace stridor::io::structure

@@ -245,13 +245,16 @@ TEST(LabelTraps, TablesMustFitTheMatrices) {
     refused("node,component\n1,1\n1,sideways\n", "\"sideways\" is no component");
     refused("node,component,x [kg],y,z\n1,1,0,0,0\n1,2,0,0,0\n", "\"kg\" is no length");
     refused("node,component,x,y,z\n1,1,0,far,0\n1,2,0,0,0\n", "\"far\" is no coordinate");
+    refused("node,component,x,y,z\n1,1,0,5,0,0\n1,2,0,0,0\n", "the row has 6 fields");
+    refused("node,component,node\n1,1,2\n1,2,2\n", "two columns are called \"node\"");
     refused("knot,way\n1,1\n", "it holds no labels");
     std::string sets = "node,component,set\n";
     for (int k = 0; k < 100'001; ++k)
         sets += (k % 5000 == 0 ? "\n1,1,A" : " A") + std::to_string(k);
     refused(sets + "\n", "there are more than 100000 node sets");
-    const ElasticPart part = part_of({{"k", good}, {"m", good}, {"t.csv", "component;node\nUY;7\nrotz;7\n"}},
-                                     {.stiffness = "k", .mass = "m", .labels = "t.csv"});
+    const ElasticPart part =
+        part_of({{"k", good}, {"m", good}, {"t.csv", "component;node\nUY;7\n# the same node turns\nrotz;7\n"}},
+                {.stiffness = "k", .mass = "m", .labels = "t.csv"});
     EXPECT_EQ(describe(part.labels[0]), "7.2");
     EXPECT_EQ(describe(part.labels[1]), "7.6");
 }
