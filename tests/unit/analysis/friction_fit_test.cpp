@@ -206,6 +206,26 @@ TEST(FrictionFit, OfASweepFindsTheCurveBetweenItsEnds) {
     EXPECT_GT(fit.speeds, 20U);
 }
 
+// White noise hangs together for one sample. A law that falls over a sweep would hang together for all of it, were it
+// not left out.
+TEST(FrictionPoints, OfASweepAreMeansOfBlocksAsShortAsAtOneSpeed) {
+    support::CounterRandom random(5);
+    const model::FrictionLaw law = model::friction_law(true_contact(FrictionKind::linear));
+    const auto block_of = [&](double change) {
+        RigTrace trace;
+        for (int k = 0; k < 4000; ++k) {
+            trace.speed.push_back(0.06 - change * k / 4000.0);
+            const double friction = -slip_ratio(law, model::Slip::forward, trace.speed.back());
+            trace.force.push_back(trace_preload * friction + 0.02 * normal(random));
+        }
+        FrictionRun run;
+        run.measurement = {trace_rate, trace.force, trace.speed, {}, trace_preload};
+        return friction_points({&run, 1}).longest_block;
+    };
+    EXPECT_NEAR(block_of(0.0), 0.01, 0.01);
+    EXPECT_NEAR(block_of(0.05), 0.01, 0.01);
+}
+
 // A sweep over three v_s tells the two Stribeck laws apart in about half of the traces. Then the sentence names one; it
 // must not name the wrong one.
 TEST(FrictionFit, OfASweepNamesTheRightLawWhereItIsSure) {

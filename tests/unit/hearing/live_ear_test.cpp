@@ -316,6 +316,28 @@ TEST(LiveEar, HearsAMotionByTheRules) {
     }));
 }
 
+// the mean square of a tone is half the square of its amplitude; "fast" forgets it by the factor e in 125 ms
+TEST(LiveEar, ShowsTheLevelOfEachChannelSecondBySecond) {
+    LiveEar ear(stereo(), {}, {});
+    std::vector<double> frames;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(4.0 * rate); ++n) {
+        const double tone =
+            n < static_cast<std::size_t>(3.0 * rate) ? turn(700.0 * static_cast<double>(n) / rate) : 0.0;
+        frames.push_back(tone);
+        frames.push_back(0.5 * tone);
+    }
+    ear.push(frames);
+    ear.finish();
+    ASSERT_EQ(ear.courses().size(), 2U);
+    for (const auto& [channel, power] : {std::pair(0, 0.5), std::pair(1, 0.125)}) {
+        const LiveCourse& course = ear.courses()[static_cast<std::size_t>(channel)];
+        EXPECT_NEAR(course.now, power * std::exp(-1.0 / 0.125), 1e-5 * power);
+        ASSERT_GE(course.seconds.size(), 4U);
+        for (std::size_t second = 0; second < 3; ++second)
+            EXPECT_NEAR(course.seconds[second], power, 0.02 * power) << second;
+    }
+}
+
 TEST(LiveEar, RefusesWhatIsNoSampleAndKeepsWhatCameBefore) {
     std::vector<double> frames = drive();
     frames[2 * 160'000 + 1] = std::numeric_limits<double>::quiet_NaN();
