@@ -93,12 +93,12 @@ void press_by_preload(Structure& structure, const parameters::Case& c) {
     hold_springs(structure);
 }
 
-// from here on displacements are those from the place where it rests
 // a body that moves at the start may meet a surface that nothing presses it on
 bool is_flying(const OwnStructure& own) {
     return std::any_of(own.initial_velocity.begin(), own.initial_velocity.end(), [](double v) { return v != 0.0; });
 }
 
+// from here on displacements are those from the place where it rests
 void press_by_load(Structure& structure, const OwnStructure& own) {
     const bool has_overlap = std::any_of(structure.contacts.begin(), structure.contacts.end(),
                                          [](const ContactPoint& contact) { return contact.initial_gap < 0.0; });

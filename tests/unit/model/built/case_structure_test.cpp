@@ -58,6 +58,23 @@ TEST(CaseStructure, IsPressedByItsSharesOfThePreload) {
     EXPECT_EQ(structure_of(c).stiffness(0, 1), -4.0);
 }
 
+TEST(CaseStructure, HasSpringsThatBearTheirShareOfThePreloadAtRest) {
+    OwnStructure own = two_masses();
+    own.springs = {{.name = "rubber", .direction = {1.0, 0.0}, .stiffness = 2.0, .cubic = 3.0, .preload_share = 0.5},
+                   {.name = "free", .direction = {0.0, 1.0}, .cubic = 3.0}};
+    own.contacts[0].preload_share = own.contacts[1].preload_share = 1.0;
+    parameters::Case c = case_of(own);
+    c.contact().preload = 20.0;
+    const Structure structure = structure_of(c);
+    ASSERT_EQ(structure.springs.size(), 2U);
+    // 2 e + 3 e³ = 10
+    const double e = structure.springs[0].rest;
+    EXPECT_NEAR(2.0 * e + force_of(structure.springs[0].law, e), 10.0, 1e-12);
+    EXPECT_NEAR(2.0 * e + 3.0 * e * e * e, 10.0, 1e-12);
+    EXPECT_EQ(structure.springs[1].rest, 0.0);
+    EXPECT_EQ(structure.stiffness(0, 0), 5.0);
+}
+
 TEST(CaseStructure, RestsWhereALoadPressesIt) {
     OwnStructure own = two_masses();
     own.load = {-5.0, 0.0};
