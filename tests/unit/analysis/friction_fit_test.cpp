@@ -134,6 +134,22 @@ TEST(FrictionFit, OfAnExactCurveIsTheCurve) {
     }
 }
 
+// friction that does not fall says nothing of the speed at which it falls
+TEST(FrictionFit, HasNoBoundsOnAStribeckVelocityThatDoesNotShow) {
+    FrictionPoints points;
+    for (int k = 0; k < 40; ++k) {
+        FrictionPoint point;
+        point.speeds.fill(0.002 * (k + 1));
+        point.friction = k % 2 == 0 ? 0.39 : 0.41;
+        points.points.push_back(point);
+    }
+    const FrictionFit fit = friction_fit(points);
+    const FittedNumber& velocity = fit.laws[law_called(fit, "stribeck")].numbers.at(2);
+    ASSERT_EQ(velocity.field->symbol, "v_s");
+    EXPECT_EQ(velocity.from, 0.0);
+    EXPECT_EQ(velocity.to, std::numeric_limits<double>::infinity());
+}
+
 TEST(FrictionFit, SaysInASentenceWhatTheDataBear) {
     EXPECT_EQ(words_of(fit_of_law(FrictionKind::coulomb, 1)),
               "The data bear coulomb. linear, stribeck and stribeck-rational fit them no better with more numbers.");

@@ -338,6 +338,12 @@ TEST(LiveEar, ShowsTheLevelOfEachChannelSecondBySecond) {
     }
 }
 
+TEST(LiveEar, TellsHowMuchItHasHeardAlsoWithinABlock) {
+    LiveEar ear(stereo(), {}, {});
+    ear.push(std::vector<double>(2 * 4321, 0.1));
+    EXPECT_EQ(ear.heard(), 4321.0 / rate);
+}
+
 TEST(LiveEar, RefusesWhatIsNoSampleAndKeepsWhatCameBefore) {
     std::vector<double> frames = drive();
     frames[2 * 160'000 + 1] = std::numeric_limits<double>::quiet_NaN();
