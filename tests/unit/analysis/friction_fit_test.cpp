@@ -134,6 +134,27 @@ TEST(FrictionFit, OfAnExactCurveIsTheCurve) {
     }
 }
 
+// mean, and Student's t times deviation over the root of the number: 0.975 of 5 and 11 degrees of freedom
+TEST(FrictionFit, OfCoulombsLawIsTheMeanWithStudentsInterval) {
+    for (const auto& [count, t] : {std::pair(6, 2.570582), std::pair(12, 2.200985)}) {
+        FrictionPoints points;
+        double squares = 0.0;
+        for (int k = 0; k < count; ++k) {
+            const double off = k % 2 == 0 ? 0.01 : -0.01;
+            FrictionPoint point;
+            point.speeds.fill(0.01);
+            point.friction = 0.4 + off;
+            points.points.push_back(point);
+            squares += off * off;
+        }
+        const FittedNumber& number = friction_fit(points).laws.at(0).numbers.at(0);
+        const double half = t * std::sqrt(squares / (count - 1) / count);
+        EXPECT_NEAR(number.value, 0.4, 1e-12);
+        EXPECT_NEAR(number.to - number.value, half, 2e-4 * half) << count;
+        EXPECT_NEAR(number.value - number.from, half, 2e-4 * half) << count;
+    }
+}
+
 // friction that does not fall says nothing of the speed at which it falls
 TEST(FrictionFit, HasNoBoundsOnAStribeckVelocityThatDoesNotShow) {
     FrictionPoints points;
