@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
@@ -137,6 +138,44 @@ TEST(Ear, LetsRowsArgueForACreakMost) {
         const auto k = static_cast<std::size_t>(figure - figures.begin());
         for (std::size_t h = 0; h < heard_names.size(); ++h)
             EXPECT_GE(ear_weights[creak][k], ear_weights[h][k]) << name << ", " << heard_names[h];
+    }
+}
+
+// by hand from the formulas of docs/methods/ear.md
+TEST(Ear, TakesItsFiguresByTheirFormulas) {
+    sound::Passage passage;
+    passage.tones = {.presence = 0.4,
+                     .length = 0.18,
+                     .wander = 0.5,
+                     .spacing = 200.0,
+                     .centre = 4000.0,
+                     .spread = 0.7,
+                     .fundamental = 600.0};
+    passage.onsets = {.rate = 14.0,
+                      .skewness = 1.0,
+                      .train = 0.25,
+                      .longest_train = 7.0,
+                      .joint_skewness = 3.0,
+                      .joint_train = 1.0,
+                      .beat = 4.0,
+                      .rhythm = 8.0,
+                      .kurtosis = 16.0,
+                      .level_spread = 3.0,
+                      .sounding = 0.9};
+    std::map<std::string_view, double> wanted{
+        {"tone_presence", 0.4}, {"tone_length", 2.0}, {"tone_wander", 0.5},  {"comb", 1.0},
+        {"centre", 2.0},        {"spread", 0.7},      {"onset_rate", 4.0},   {"lone_fundamental", 0.75},
+        {"lone_impulses", 3.0}, {"train", 0.25},      {"jerks", 0.5},        {"joint_jerks", 0.25},
+        {"beat", 4.0},          {"lone_rhythm", 6.0}, {"level_spread", 3.0}, {"sounding", 0.9}};
+    for (const EarFigure& figure : ear_figures())
+        EXPECT_NEAR(figure.value(passage), wanted.at(figure.name), 1e-12) << figure.name;
+    // half as much of tones: what is said of them counts half
+    passage.tones.presence = 0.2;
+    wanted["tone_presence"] = 0.2;
+    wanted["lone_fundamental"] *= 0.5;
+    for (const EarFigure& figure : ear_figures()) {
+        const bool is_of_tones = figure.name == "tone_length" || figure.name == "tone_wander" || figure.name == "comb";
+        EXPECT_NEAR(figure.value(passage), (is_of_tones ? 0.5 : 1.0) * wanted.at(figure.name), 1e-12) << figure.name;
     }
 }
 
