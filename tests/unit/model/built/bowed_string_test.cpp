@@ -1,5 +1,7 @@
 #include "stridor/model/built/bowed_string.hpp"
 
+#include "stridor/model/built/built_structure.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,6 +32,22 @@ TEST(BowedString, HasItsShapeAtTheBowAndNoneAtItsEnds) {
     const Eigen::VectorXd velocity = helmholtz_motion(string, modes, 1.0);
     EXPECT_NEAR(string_shape(string, modes, 0.5).dot(velocity) * string.bow_position, 0.5,
                 2.0 / (3.14159 * (modes + 1)));
+}
+
+TEST(BowedString, IsDrawnFromEndToEnd) {
+    parameters::Recipe recipe;
+    recipe.builder = "string";
+    const parameters::OwnStructure own = built_string(recipe);
+    const BowedString string;
+    ASSERT_GT(own.outline.size(), 20U);
+    EXPECT_EQ(own.outline.front().position[2], 0.0);
+    EXPECT_EQ(own.outline.back().position[2], string.length);
+    const int modes = static_cast<int>(own.row.size()) - 1;
+    for (const parameters::OutlinePoint& point : own.outline) {
+        const Eigen::VectorXd shape = string_shape(string, modes, point.position[2] / string.length);
+        for (std::size_t row = 0; row < own.row.size(); ++row)
+            EXPECT_NEAR(point.along[row], shape(static_cast<Eigen::Index>(row)), 1e-12);
+    }
 }
 
 TEST(BowedString, HasSchellengsLimits) {
