@@ -1,5 +1,6 @@
 // The model's own friction forces, whose coefficients and drops are known from the case and from the contact history.
 
+#include "stridor/analysis/friction/stretches.hpp"
 #include "stridor/analysis/friction/trace.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
@@ -49,6 +50,19 @@ support::BeltRun rig_run(double static_friction, double kinetic_friction) {
     run.duration = 10.0;
     run.request = {record::KeepHistory::yes, {0.0, run.duration, 1e-3}};
     return run;
+}
+
+// one wild sample of a velocity must not make all others look like rest
+TEST(ForceStretches, AreFoundPastASampleThatStandsOut) {
+    std::vector<double> velocity(1000, 0.01), force(1000, 4.0);
+    std::fill(velocity.begin() + 500, velocity.end(), -0.01);
+    std::fill(force.begin() + 500, force.end(), -4.0);
+    velocity[250] = 5.0;
+    const FrictionMeasurement measurement{100.0, force, velocity, {}, 10.0};
+    const std::vector<ForceStretch> stretches = force_stretches(measurement, force_ratios(measurement, {}), {});
+    ASSERT_EQ(stretches.size(), 2U);
+    EXPECT_EQ(stretches[0].to, 500U);
+    EXPECT_EQ(stretches[1].direction, -1);
 }
 
 TEST(FrictionTrace, GivesBackTheCoefficientsOfTheBelt) {
