@@ -1,7 +1,9 @@
 """The core modules, and which tests must notice a fault in each: its own and those of the modules that use it."""
 
 ENGINE = ["integration_test", "law_contract_test", "engine_contract_test", "verification_test"]
-CELLS = ["sweep_test", "sweep_diagram_test", "advice_test", "hearing_test"]
+CELLS = [
+    "sweep_test", "sweep_diagram_test", "sweep_following_test", "sweep_strokes_test", "advice_test", "hearing_test"
+]
 
 # The only list; `./dev coverage` and `./dev mutate` read it. Targets of CMake, in any order.
 CORE = {
