@@ -120,6 +120,17 @@ TEST(RecordingScore, CountsByKind) {
     EXPECT_EQ(score.decided.back().right, 1U);
     EXPECT_EQ(score.bins.front().count, 1U);
     EXPECT_DOUBLE_EQ(score.bins.front().probability, 0.45);
+    // each recording lies in one bin, and the surer the fewer
+    std::size_t binned = 0;
+    for (const CalibrationBin& bin : score.bins) {
+        EXPECT_LT(bin.from, bin.to);
+        binned += bin.count;
+    }
+    EXPECT_EQ(binned, 5U);
+    for (std::size_t k = 1; k < score.decided.size(); ++k) {
+        EXPECT_GT(score.decided[k].probability, score.decided[k - 1].probability);
+        EXPECT_LE(score.decided[k].decided, score.decided[k - 1].decided);
+    }
 }
 
 TEST(RecordingScore, DrawsSourcesAndNotRecordings) {
