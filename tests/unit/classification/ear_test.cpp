@@ -179,6 +179,19 @@ TEST(Ear, TakesItsFiguresByTheirFormulas) {
     }
 }
 
+// a penalised fit of probabilities that sum to one has weights that sum to zero: what argues for one argues against
+// others
+TEST(Ear, HasWeightsThatSumToZeroOverTheOutcomes) {
+    constexpr double rounding = 5 * 0.5e-4;  // they are written with four digits
+    for (std::size_t k = 0; k < ear_figure_count; ++k) {
+        double sum = 0.0;
+        for (const auto& weights : ear_weights)
+            sum += weights[k];
+        EXPECT_NEAR(sum, 0.0, rounding) << ear_figures()[k].name;
+    }
+    EXPECT_NEAR(std::accumulate(ear_biases.begin(), ear_biases.end(), 0.0), 0.0, rounding);
+}
+
 TEST(Ear, NamesEachFigureOnce) {
     std::set<std::string_view> names;
     for (const EarFigure& figure : ear_figures())
