@@ -74,6 +74,24 @@ TEST(Massless, FootOfAMassSlipsOnce) {
     EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-5);
 }
 
+// a shaken mass drags its foot to and fro: what the shaker does is what friction takes and what swings
+TEST(Massless, AccountsForTheWorkOfAShaker) {
+    model::Structure structure = mass_with_foot();
+    structure.shaken = Eigen::Vector3d(1.0, 0.0, 0.0);
+    parameters::Case c = support::watched_case(0.0, {2.0, 2.0});
+    c.drive.kind = parameters::DriveKind::force;
+    c.drive.force = 6.0;
+    c.drive.frequency = 2.0;
+    c.drive.ramp = 0.05;
+    const InitialState still{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    const Motion motion = integration::integrate_massless(structure, c.drive, still, {1e-5},
+                                                          record::Recorder(record::schedule(c), {}, 3, 1));
+    EXPECT_EQ(motion.outcome.reason, Reason::completed);
+    EXPECT_GT(motion.energy.friction_loss, 0.1);
+    EXPECT_GT(motion.energy.drive_work, motion.energy.friction_loss);
+    EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-5);
+}
+
 TEST(Massless, ConvergesInSecondOrderWhereNothingChanges) {
     InitialState start{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     start.velocity(0) = 0.05;
