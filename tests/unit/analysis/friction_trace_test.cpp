@@ -52,6 +52,19 @@ support::BeltRun rig_run(double static_friction, double kinetic_friction) {
     return run;
 }
 
+// a scatter of a billionth of the mean: it is that of the deviations, not of a difference of squares
+TEST(KineticFriction, HasAnUncertaintyThatRoundingDoesNotMake) {
+    for (const double step : {1e-8, 3e-8, 7e-8}) {
+        std::vector<double> force(1000, 4.0);  // a fifth settles, then ten means of 80 samples
+        for (std::size_t k = 200; k < force.size(); ++k)
+            force[k] += (k - 200) / 80 % 2 == 0 ? 0.0 : step;
+        const FrictionTrace trace = friction_trace({100.0, force, {}, {}, 10.0}, {});
+        EXPECT_EQ(trace.all.kinetic_friction.count, 10);
+        EXPECT_NEAR(trace.all.kinetic_friction.value, 0.4 + 0.05 * step, 1e-14);
+        EXPECT_NEAR(trace.all.kinetic_friction.uncertainty, 0.05 * step / 3.0, 1e-4 * step) << step;
+    }
+}
+
 // one wild sample of a velocity must not make all others look like rest
 TEST(ForceStretches, AreFoundPastASampleThatStandsOut) {
     std::vector<double> velocity(1000, 0.01), force(1000, 4.0);
