@@ -45,7 +45,7 @@ std::optional<TextLine> NamedTable::next_line() {
 bool NamedTable::next() {
     const std::optional<TextLine> line = next_line();
     if (!line) return false;
-    place_ = place_of(lines_.name(), *line, 1);
+    row_ = *line;
     fields_ = csv_table::split(line->text, dialect_.delimiter);
     csv_table::drop_empty_tail(fields_, columns_.size());
     if (fields_.size() > columns_.size())

@@ -30,7 +30,7 @@ public:
     const std::vector<NamedColumn>& columns() const { return columns_; }
 
     /// Returns the place of the row that was read last.
-    const base::Place& place() const { return place_; }
+    base::Place place() const { return place_of(lines_.name(), row_, 1); }
 
     /// Says whether there is a column of this name.
     bool has(std::string_view name) const { return find(name).has_value(); }
@@ -51,8 +51,8 @@ private:
     LineReader lines_;
     csv_table::Dialect dialect_;
     std::vector<NamedColumn> columns_;
+    TextLine row_;
     std::vector<csv_table::CsvField> fields_;  // of the row
-    base::Place place_;
 };
 
 }  // namespace stridor::recordings
